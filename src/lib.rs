@@ -1,0 +1,3 @@
+//! Exact spline geometry with certificates.
+pub mod curve;
+pub mod number;
