@@ -1,0 +1,210 @@
+//! Hull points of a node in one width, and the gap between two hulls along a vector.
+//!
+//! Every obligation about two hulls comes down to n·p − n·q for p∈H(A), q∈H(B). Hull points are integers over a positive weight. A box and
+//! a polynomial part have one weight for all their points, so that the least n·p and the greatest n·q decide; otherwise all pairs are
+//! compared. Where both have one weight, the common factor of the two is kept apart.
+
+use super::chain::{Scale, convert, convert_one};
+use super::cover::Context;
+use super::element::{Node, point_location};
+use super::part::{Block, Geometry};
+use super::word::{Word, dot};
+
+/// Where the hull points are.
+enum Shape<W> {
+    /// The corners of a box.
+    Box([[W; 3]; 2]),
+    /// Points with one weight for all.
+    Shared(Vec<[W; 3]>),
+    /// Points with a weight each.
+    Each(Vec<[W; 3]>, Vec<W>),
+}
+
+/// The hull points of a node.
+pub struct Hull<W> {
+    shape: Shape<W>,
+    /// The weight of all points; not used when each has its own.
+    scale: Scale,
+}
+
+impl<W: Word> Hull<W> {
+    /// The hull of a node; `None` if it does not fit this width.
+    pub fn new(context: &Context, node: &Node) -> Option<Self> {
+        match node {
+            Node::Run { number, .. } => Some(Hull {
+                shape: Shape::Box(context.boxes.get(*number)?),
+                scale: context.grid_scale.clone(),
+            }),
+            Node::Point(element) => {
+                let (piece, end) = point_location(context.chain, *element);
+                let (point, weight) = context.chain.end_point(piece, end);
+                Some(Hull {
+                    shape: Shape::Each(vec![super::word::vector(&point)?], vec![W::from_integer(&weight)?]),
+                    scale: context.grid_scale.clone(),
+                })
+            }
+            Node::Part(part) => {
+                let shape = match &part.geometry {
+                    Geometry::Narrow(block) => Shape::of_block(block),
+                    Geometry::Wide(block) => Shape::of_block(block),
+                    Geometry::Large(block) => Shape::of_block(block),
+                }?;
+                Some(Hull { shape, scale: part.point_scale(context.chain) })
+            }
+        }
+    }
+
+    /// Points of a section of a piece: integers over `scale`, or over a weight each when there are weights.
+    pub fn of_points(points: Vec<[W; 3]>, weights: Vec<W>, scale: Scale) -> Self {
+        let shape = if weights.is_empty() { Shape::Shared(points) } else { Shape::Each(points, weights) };
+        Hull { shape, scale }
+    }
+
+    /// The least (`greatest` false) or greatest n·p with its weight, or all of them where weights differ.
+    fn extremes(&self, n: &[W; 3], greatest: bool, shared: &W) -> Option<Extremes<W>> {
+        match &self.shape {
+            Shape::Box([low, high]) => {
+                let zero = W::zero();
+                let mut corner = low.clone();
+                for axis in 0..3 {
+                    if (n[axis] > zero) == greatest {
+                        corner[axis] = high[axis].clone();
+                    }
+                }
+                Some(Extremes::One(dot(n, &corner)?, shared.clone()))
+            }
+            Shape::Shared(points) => {
+                let mut best = dot(n, &points[0])?;
+                for point in &points[1..] {
+                    let value = dot(n, point)?;
+                    if (value > best) == greatest {
+                        best = value;
+                    }
+                }
+                Some(Extremes::One(best, shared.clone()))
+            }
+            Shape::Each(points, weights) => {
+                let values = points.iter().zip(weights).map(|(point, weight)| Some((dot(n, point)?, weight.clone())));
+                Some(Extremes::Many(values.collect::<Option<_>>()?))
+            }
+        }
+    }
+
+    /// All hull points as integers and weights; a box is not asked for its corners.
+    pub fn points(&self) -> impl Iterator<Item = (&[W; 3], Option<&W>)> {
+        let (points, weights): (&[[W; 3]], &[W]) = match &self.shape {
+            Shape::Box(_) => (&[], &[]),
+            Shape::Shared(points) => (points, &[]),
+            Shape::Each(points, weights) => (points, weights),
+        };
+        points.iter().enumerate().map(move |(k, point)| (point, weights.get(k)))
+    }
+
+    /// The weight that all points share, unless each has its own.
+    pub fn shared_scale(&self) -> Option<&Scale> {
+        match self.shape {
+            Shape::Each(..) => None,
+            _ => Some(&self.scale),
+        }
+    }
+}
+
+impl<W: Word> Shape<W> {
+    fn of_block<S: Word>(block: &Block<'_, S>) -> Option<Self> {
+        let points = block.points.iter().map(convert).collect::<Option<_>>()?;
+        Some(if block.weights.is_empty() {
+            Shape::Shared(points)
+        } else {
+            Shape::Each(points, block.weights.iter().map(convert_one).collect::<Option<_>>()?)
+        })
+    }
+}
+
+enum Extremes<W> {
+    One(W, W),
+    Many(Vec<(W, W)>),
+}
+
+impl<W> Extremes<W> {
+    fn as_slice(&self) -> Candidates<'_, W> {
+        match self {
+            Extremes::One(value, weight) => Candidates { one: Some((value, weight)), many: &[] },
+            Extremes::Many(values) => Candidates { one: None, many: values },
+        }
+    }
+}
+
+#[derive(Clone)]
+struct Candidates<'e, W> {
+    one: Option<(&'e W, &'e W)>,
+    many: &'e [(W, W)],
+}
+
+impl<'e, W> Iterator for Candidates<'e, W> {
+    type Item = (&'e W, &'e W);
+    fn next(&mut self) -> Option<Self::Item> {
+        if let Some(one) = self.one.take() {
+            return Some(one);
+        }
+        let (first, rest) = self.many.split_first()?;
+        self.many = rest;
+        Some((&first.0, &first.1))
+    }
+}
+
+/// Two hulls, with their weights brought together.
+pub struct Gap<'h, W> {
+    a: &'h Hull<W>,
+    b: &'h Hull<W>,
+    weight_a: W,
+    weight_b: W,
+    /// The factor taken out of the weights on both sides.
+    pub common: Scale,
+}
+
+/// The factors s, t and the common scale c with a = c·s and b = c·t.
+pub fn bring_together<W: Word>(a: &Scale, b: &Scale) -> Option<(W, W, Scale)> {
+    let exponent = a.exponent.min(b.exponent);
+    let one = W::from_i128(1)?;
+    if a.odd == b.odd {
+        let common = Scale { odd: a.odd.clone(), exponent };
+        return Some((one.doubled(a.exponent - exponent)?, one.doubled(b.exponent - exponent)?, common));
+    }
+    let factor = |scale: &Scale| W::from_integer(&scale.odd)?.doubled(scale.exponent - exponent);
+    Some((factor(a)?, factor(b)?, Scale { odd: 1.into(), exponent }))
+}
+
+impl<'h, W: Word> Gap<'h, W> {
+    /// Prepares two hulls.
+    pub fn new(a: &'h Hull<W>, b: &'h Hull<W>) -> Option<Self> {
+        let one = || Scale { odd: 1.into(), exponent: 0 };
+        let value = |scale: Option<&Scale>| scale.map_or(W::from_i128(1), |scale| W::from_integer(&scale.value()));
+        let (weight_a, weight_b, common) = match (a.shared_scale(), b.shared_scale()) {
+            (Some(scale_a), Some(scale_b)) => bring_together(scale_a, scale_b)?,
+            (scale_a, scale_b) => (value(scale_a)?, value(scale_b)?, one()),
+        };
+        Some(Gap { a, b, weight_a, weight_b, common })
+    }
+
+    /// Calls `test` with integers G, w, v such that n·p − n·q = G/(w·v·common), for pairs (p, q) among which are the
+    /// least of these differences; stops at the first `false`.
+    pub fn all(&self, n: &[W; 3], mut test: impl FnMut(W, &W, &W) -> Option<bool>) -> Option<bool> {
+        let lows = self.a.extremes(n, false, &self.weight_a)?;
+        let highs = self.b.extremes(n, true, &self.weight_b)?;
+        for (low, weight_a) in lows.as_slice() {
+            for (high, weight_b) in highs.as_slice() {
+                let gap = low.times(weight_b)?.minus(&high.times(weight_a)?)?;
+                if !test(gap, weight_a, weight_b)? {
+                    return Some(false);
+                }
+            }
+        }
+        Some(true)
+    }
+
+    /// Is n·p > n·q for all p∈H(A), q∈H(B)?
+    pub fn positive(&self, n: &[W; 3]) -> Option<bool> {
+        let zero = W::zero();
+        self.all(n, |gap, _, _| Some(gap > zero))
+    }
+}

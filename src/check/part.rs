@@ -1,0 +1,163 @@
+//! A dyadic part of a piece, halved by de Casteljau in integers.
+//!
+//! Halving without division: with the rows b_i^r = b_i^{r−1} + b_{i+1}^{r−1}, each 2^r times the true one, the left half has the
+//! coefficients b_0^k·2^{n−k} and the right half b_k^{n−k}·2^k, all over 2^n. So a part at depth e carries 2^{ne} in its denominator (in
+//! its weights, if it is rational, where a common factor means nothing).
+
+use std::borrow::Cow;
+
+use super::chain::{Chain, Numbers, Scale, Width, convert, convert_one};
+use super::word::Word;
+use crate::number::Integer;
+
+/// The greatest number of halvings of a piece.
+pub const MAX_DEPTH: u32 = 120;
+
+/// The numbers of a part in one width.
+pub struct Block<'c, W: Clone> {
+    /// Homogeneous control points.
+    pub points: Cow<'c, [[W; 3]]>,
+    /// Weights, none for a polynomial piece.
+    pub weights: Cow<'c, [W]>,
+    /// Bernstein coefficients of D, zero vectors included.
+    pub tangents: Cow<'c, [[W; 3]]>,
+}
+
+/// The numbers of a part in the width they fit.
+pub enum Geometry<'c> {
+    /// 64-bit integers.
+    Narrow(Block<'c, i64>),
+    /// 128-bit integers.
+    Wide(Block<'c, i128>),
+    /// Integers of any size.
+    Large(Block<'c, Integer>),
+}
+
+/// The part [index/2^depth, (index+1)/2^depth] of a piece.
+pub struct Part<'c> {
+    /// Number of the piece.
+    pub piece: usize,
+    /// Which of the 2^depth parts.
+    pub index: u128,
+    /// How many times the piece was halved.
+    pub depth: u32,
+    /// Its numbers.
+    pub geometry: Geometry<'c>,
+}
+
+impl<'c, W: Word> Block<'c, W> {
+    fn whole(numbers: Numbers<'c, W>) -> Self {
+        Block {
+            points: Cow::Borrowed(numbers.points),
+            weights: Cow::Borrowed(numbers.weights),
+            tangents: Cow::Borrowed(numbers.tangents),
+        }
+    }
+
+    fn halves(&self) -> Option<(Block<'static, W>, Block<'static, W>)> {
+        let (left_points, right_points) = halve_vectors(&self.points)?;
+        let (left_weights, right_weights) = halve_numbers(&self.weights)?;
+        let (left_tangents, right_tangents) = halve_vectors(&self.tangents)?;
+        let block = |points, weights, tangents| Block {
+            points: Cow::Owned(points),
+            weights: Cow::Owned(weights),
+            tangents: Cow::Owned(tangents),
+        };
+        Some((block(left_points, left_weights, left_tangents), block(right_points, right_weights, right_tangents)))
+    }
+
+    fn widened<V: Word>(&self) -> Block<'static, V> {
+        let vectors = |from: &[[W; 3]]| -> Vec<[V; 3]> { from.iter().map(|v| convert(v).expect("the width is greater")).collect() };
+        Block {
+            points: Cow::Owned(vectors(&self.points)),
+            weights: Cow::Owned(self.weights.iter().map(|w| convert_one(w).expect("the width is greater")).collect()),
+            tangents: Cow::Owned(vectors(&self.tangents)),
+        }
+    }
+}
+
+fn halve_vectors<W: Word>(coefficients: &[[W; 3]]) -> Option<(Vec<[W; 3]>, Vec<[W; 3]>)> {
+    let degree = coefficients.len() - 1;
+    let mut row = coefficients.to_vec();
+    let mut left = Vec::with_capacity(degree + 1);
+    for k in 0..=degree {
+        let shift = (degree - k) as u32;
+        let first = &row[0];
+        left.push([first[0].doubled(shift)?, first[1].doubled(shift)?, first[2].doubled(shift)?]);
+        // After this step, the entries 0 … n−k−1 are the next row and entry n−k is the last of the present one.
+        for i in 0..degree - k {
+            let (a, b) = (&row[i], &row[i + 1]);
+            row[i] = [a[0].plus(&b[0])?, a[1].plus(&b[1])?, a[2].plus(&b[2])?];
+        }
+    }
+    // The last entry of row n−k stayed at position k.
+    for (k, entry) in row.iter_mut().enumerate() {
+        for axis in entry.iter_mut() {
+            *axis = axis.doubled(k as u32)?;
+        }
+    }
+    Some((left, row))
+}
+
+fn halve_numbers<W: Word>(coefficients: &[W]) -> Option<(Vec<W>, Vec<W>)> {
+    if coefficients.is_empty() {
+        return Some((Vec::new(), Vec::new()));
+    }
+    let as_vectors: Vec<[W; 3]> = coefficients.iter().map(|x| [x.clone(), W::zero(), W::zero()]).collect();
+    let (left, right) = halve_vectors(&as_vectors)?;
+    let first = |vectors: Vec<[W; 3]>| vectors.into_iter().map(|[x, _, _]| x).collect();
+    Some((first(left), first(right)))
+}
+
+impl<'c> Part<'c> {
+    /// A whole piece.
+    pub fn whole(chain: &'c Chain, piece: usize) -> Self {
+        let geometry = match chain.pieces[piece].width {
+            Width::Narrow => Geometry::Narrow(Block::whole(chain.narrow_numbers(piece))),
+            Width::Wide => Geometry::Wide(Block::whole(chain.wide_numbers(piece))),
+            Width::Large => Geometry::Large(Block::whole(chain.large_numbers(piece))),
+        };
+        Part { piece, index: 0, depth: 0, geometry }
+    }
+
+    /// The two halves, or `None` at [`MAX_DEPTH`].
+    pub fn halves(&self) -> Option<(Part<'static>, Part<'static>)> {
+        if self.depth >= MAX_DEPTH {
+            return None;
+        }
+        let (left, right) = self.geometry.halves();
+        let part = |index, geometry| Part { piece: self.piece, index, depth: self.depth + 1, geometry };
+        Some((part(2 * self.index, left), part(2 * self.index + 1, right)))
+    }
+
+    /// What the control points of a polynomial part are multiples of.
+    pub fn point_scale(&self, chain: &Chain) -> Scale {
+        let piece = &chain.pieces[self.piece];
+        piece.point_scale.doubled(piece.degree as u32 * self.depth)
+    }
+
+    /// What the tangents are multiples of.
+    pub fn tangent_scale(&self, chain: &Chain) -> Scale {
+        let piece = &chain.pieces[self.piece];
+        piece.tangent_scale.doubled(piece.tangent_degree as u32 * self.depth)
+    }
+}
+
+impl Geometry<'_> {
+    fn halves(&self) -> (Geometry<'static>, Geometry<'static>) {
+        match self {
+            Geometry::Narrow(block) => match block.halves() {
+                Some((left, right)) => (Geometry::Narrow(left), Geometry::Narrow(right)),
+                None => Geometry::Wide(block.widened()).halves(),
+            },
+            Geometry::Wide(block) => match block.halves() {
+                Some((left, right)) => (Geometry::Wide(left), Geometry::Wide(right)),
+                None => Geometry::Large(block.widened()).halves(),
+            },
+            Geometry::Large(block) => {
+                let (left, right) = block.halves().expect("unbounded integers do not overflow");
+                (Geometry::Large(left), Geometry::Large(right))
+            }
+        }
+    }
+}

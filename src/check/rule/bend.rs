@@ -1,0 +1,61 @@
+//! `bend α β`: across two adjacent nodes, or within one, no chord is orthogonal to a tangent at both ends, even around a corner.
+//!
+//! Proof: for s in A and t in B (s < t if A = B) the chord c(t)−c(s), or its negative if A and B meet across the closing point, is ∫c' over a
+//! part of A∪B of positive length, a non-negative and non-trivial combination of X(A)∪X(B). So its product with αv'+βw' is positive for
+//! all tangents v' at s, w' at t, and both products cannot vanish. At an end at 0 the chord is critical when its product with the forward
+//! tangent v' is ≤ 0, at an end at M when its product with w' is ≤ 0: excluded by α ≥ 0, β ≥ 0.
+
+use std::cmp::Ordering;
+
+use super::{Outcome, fails, is_zero_pair};
+use crate::check::cover::Context;
+use crate::check::element::{Element, Node};
+use crate::check::tangents::{Tangents, all_combinations};
+use crate::check::word::{Word, dot};
+use crate::number::Integer;
+
+/// Checks the obligation for one node (`b` is `None`) or two adjacent ones.
+pub fn check<W: Word>(context: &Context, a: &Node, b: Option<&Node>, factors: &[Integer; 2]) -> Option<Outcome> {
+    if is_zero_pair(factors) {
+        return Some(fails("α, β not both 0", "0 0".into()));
+    }
+    let (alpha, beta) = (W::from_integer(&factors[0])?, W::from_integer(&factors[1])?);
+    if alpha < W::zero() && a.contains_end(context.elements, Element::Start) {
+        return Some(fails("α ≥ 0 at the end at 0", format!("α = {}", factors[0])));
+    }
+    if beta < W::zero() && b.unwrap_or(a).contains_end(context.elements, Element::End) {
+        return Some(fails("β ≥ 0 at the end at M", format!("β = {}", factors[1])));
+    }
+    let tangents_a = Tangents::<W>::new(context, a)?;
+    let tangents_b = b.map(|b| Tangents::new(context, b)).transpose_option()?;
+    let second = tangents_b.as_ref().unwrap_or(&tangents_a);
+    let mut path = tangents_a.of_pieces().chain(second.of_pieces()).peekable();
+    if path.peek().is_none() {
+        return Some(fails("a node of positive length", "point elements only".into()));
+    }
+    let path: Vec<&[W; 3]> = path.collect();
+    let holds = all_combinations(&tangents_a, second, &alpha, &beta, |y| {
+        for x in &path {
+            if dot(y, x)?.sign() != Ordering::Greater {
+                return Some(false);
+            }
+        }
+        Some(true)
+    })?;
+    Some(if holds { Ok(()) } else { fails("(αv+βw)·x > 0 throughout", "a product that is not positive".into()) })
+}
+
+trait TransposeOption<T> {
+    /// `None` stays "nothing there"; a failed computation becomes the outer `None`.
+    fn transpose_option(self) -> Option<Option<T>>;
+}
+
+impl<T> TransposeOption<T> for Option<Option<T>> {
+    fn transpose_option(self) -> Option<Option<T>> {
+        match self {
+            None => Some(None),
+            Some(None) => None,
+            Some(Some(value)) => Some(Some(value)),
+        }
+    }
+}
