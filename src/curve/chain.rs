@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 
-use num_integer::Integer as _;
 use num_traits::{One, ToPrimitive, Zero};
 
 use super::data::joins;

@@ -1,7 +1,7 @@
 //! A curve as a user gives it.
 
 use super::{BSpline, Bezier, CurveError, CurveFault, MAXIMUM_PIECES};
-use crate::number::RationalVector;
+use crate::number::{Integer, RationalVector};
 
 /// A valid curve in the plane or in space.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -94,4 +94,9 @@ pub(super) fn equal(a: &RationalVector, i: usize, b: &RationalVector, j: usize) 
     let (p, q) = (&a.numerators()[i], &b.numerators()[j]);
     let (m, n) = (a.denominator(), b.denominator());
     if m == n { p == q } else { p * n == q * m }
+}
+
+/// Numbers over a denominator known to be positive.
+pub(super) fn over(numerators: Vec<Integer>, denominator: Integer) -> RationalVector {
+    RationalVector::from_parts(numerators, denominator).expect("a product of denominators is positive")
 }

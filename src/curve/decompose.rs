@@ -17,16 +17,22 @@ pub(super) fn decompose(spline: &BSpline) -> (Vec<Bezier>, RationalVector) {
         if knots[k] == knots[k + 1] {
             continue;
         }
-        let points = span_points(&knots[k + 1 - p..=k + p], control[k - p..=k].to_vec());
-        let mut piece = Bezier::from_homogeneous(spline.dimension, &points);
+        let mut piece = span_bezier(spline, &control, k);
         if piece.is_polynomial() {
             piece.weights = None;
         }
         pieces.push(piece);
         ends.push(knots[k + 1].clone());
     }
-    let ends = RationalVector::from_parts(ends, spline.knots.denominator().clone());
+    let ends = super::data::over(ends, spline.knots.denominator().clone());
     (pieces, ends)
+}
+
+/// The Bézier piece of the non-empty span t_k < t_{k+1} of the domain; `control` is all of the spline's.
+pub(super) fn span_bezier(spline: &BSpline, control: &[Homogeneous], k: usize) -> Bezier {
+    let p = spline.degree;
+    let knots = &spline.knots.numerators()[k + 1 - p..=k + p];
+    Bezier::from_homogeneous(spline.dimension, &span_points(knots, control[k - p..=k].to_vec()))
 }
 
 /// The Bézier control points of the span between the two middle ones of the 2p knots on which p + 1 control points act.

@@ -1,6 +1,5 @@
 //! Homogeneous control points over one denominator each: what the algorithms compute with.
 
-use num_integer::Integer as _;
 use num_traits::{One, Zero};
 
 use super::{BSpline, Bezier};
