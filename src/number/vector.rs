@@ -1,0 +1,167 @@
+//! Many fractions over one common denominator.
+
+use super::rational::quotient_to_f64;
+use super::{Integer, Rational};
+
+/// Rational numbers over one common denominator, kept at the least one: the denominator is positive, and no integer
+/// above 1 divides it and all numerators. Equality is therefore equality of the numbers.
+///
+/// ```
+/// use knotproof::number::{Integer, Rational, RationalVector};
+/// let third = Rational::new(Integer::from(1), Integer::from(3));
+/// let half = Rational::new(Integer::from(1), Integer::from(2));
+/// let vector = RationalVector::from_rationals(&[third, half]);
+/// assert_eq!(vector.denominator(), &Integer::from(6));
+/// assert_eq!(vector.numerators(), [Integer::from(2), Integer::from(3)]);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct RationalVector {
+    denominator: Integer,
+    numerators: Vec<Integer>,
+}
+
+impl Default for RationalVector {
+    /// No numbers, over denominator 1.
+    fn default() -> Self {
+        RationalVector {
+            denominator: Integer::ONE,
+            numerators: Vec::new(),
+        }
+    }
+}
+
+impl RationalVector {
+    /// The given numbers, in order.
+    pub fn from_rationals(numbers: &[Rational]) -> Self {
+        // The least common multiple, its power of two and its odd part kept apart: most denominators are powers of
+        // two, and those need no division.
+        let mut shift = 0;
+        let mut odd = Integer::ONE;
+        let mut last = &Integer::ONE;
+        for number in numbers {
+            let denominator = number.denom();
+            if denominator == last {
+                continue;
+            }
+            last = denominator;
+            let (exponent, part) = split(denominator);
+            shift = shift.max(exponent);
+            if let Some(part) = part
+                && !(&odd % &part).is_zero()
+            {
+                odd = odd.lcm(&part);
+            }
+        }
+        let denominator = &odd << shift;
+        let mut last = &Integer::ONE;
+        let mut factor = denominator.clone();
+        let numerators = numbers
+            .iter()
+            .map(|number| {
+                if number.denom() != last {
+                    last = number.denom();
+                    factor = denominator.div_exact(last);
+                }
+                number.numer() * &factor
+            })
+            .collect();
+        // Each number is reduced, so no prime of the least common multiple divides all numerators.
+        RationalVector {
+            denominator,
+            numerators,
+        }
+    }
+
+    /// The numbers numerators[i] / denominator, reduced together; `None` when the denominator is not positive.
+    pub fn from_parts(numerators: Vec<Integer>, denominator: Integer) -> Option<Self> {
+        if !denominator.is_positive() {
+            return None;
+        }
+        let mut vector = RationalVector {
+            denominator,
+            numerators,
+        };
+        vector.reduce();
+        Some(vector)
+    }
+
+    fn reduce(&mut self) {
+        let (exponent, odd) = split(&self.denominator);
+        let shift = self
+            .numerators
+            .iter()
+            .filter_map(Integer::trailing_zeros)
+            .fold(u64::from(exponent), u64::min) as u32;
+        if shift > 0 {
+            self.denominator >>= shift;
+            self.numerators
+                .iter_mut()
+                .for_each(|numerator| *numerator >>= shift);
+        }
+        let Some(mut divisor) = odd else { return };
+        for numerator in &self.numerators {
+            divisor = divisor.gcd(&(numerator % &divisor));
+            if divisor.is_one() {
+                return;
+            }
+        }
+        self.denominator = self.denominator.div_exact(&divisor);
+        for numerator in &mut self.numerators {
+            *numerator = numerator.div_exact(&divisor);
+        }
+    }
+
+    /// How many numbers there are.
+    pub fn len(&self) -> usize {
+        self.numerators.len()
+    }
+
+    /// Whether there are no numbers.
+    pub fn is_empty(&self) -> bool {
+        self.numerators.is_empty()
+    }
+
+    /// The number at index `i`.
+    ///
+    /// # Panics
+    /// When `i` is not below [`len`](RationalVector::len), as for slices.
+    pub fn get(&self, i: usize) -> Rational {
+        Rational::new(self.numerators[i].clone(), self.denominator.clone())
+    }
+
+    /// The numbers, in order.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Rational> + DoubleEndedIterator + '_ {
+        self.numerators
+            .iter()
+            .map(|numerator| Rational::new(numerator.clone(), self.denominator.clone()))
+    }
+
+    /// The numerators over [`denominator`](RationalVector::denominator), in order.
+    pub fn numerators(&self) -> &[Integer] {
+        &self.numerators
+    }
+
+    /// The least common denominator, positive.
+    pub fn denominator(&self) -> &Integer {
+        &self.denominator
+    }
+
+    /// Each number's nearest binary64, as [`RationalExt::to_f64`](super::RationalExt::to_f64).
+    pub fn to_f64s(&self) -> Vec<f64> {
+        self.numerators
+            .iter()
+            .map(|numerator| quotient_to_f64(numerator, &self.denominator))
+            .collect()
+    }
+}
+
+/// Exponent k and odd part of the positive integer 2^k · odd; `None` for the odd part 1.
+fn split(denominator: &Integer) -> (u32, Option<Integer>) {
+    // Memory bounds integers far below 2^(2^32).
+    let exponent = denominator.trailing_zeros().unwrap_or(0) as u32;
+    if denominator.bits() == u64::from(exponent) + 1 {
+        (exponent, None)
+    } else {
+        (exponent, Some(denominator >> exponent))
+    }
+}
