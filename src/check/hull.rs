@@ -208,3 +208,20 @@ impl<'h, W: Word> Gap<'h, W> {
         self.all(n, |gap, _, _| Some(gap > zero))
     }
 }
+
+impl<W: Word> Gap<'_, W> {
+    /// Calls `test` with integer vectors x and integers u > 0 such that p − q = x/(u·common), for all hull points p, q (not for
+    /// boxes); stops at the first `false`.
+    pub fn all_differences(&self, mut test: impl FnMut(&[W; 3], &W) -> Option<bool>) -> Option<bool> {
+        for (p, weight_p) in self.a.points() {
+            for (q, weight_q) in self.b.points() {
+                let (w, v) = (weight_p.unwrap_or(&self.weight_a), weight_q.unwrap_or(&self.weight_b));
+                let axis = |i: usize| p[i].times(v)?.minus(&q[i].times(w)?);
+                if !test(&[axis(0)?, axis(1)?, axis(2)?], &w.times(v)?)? {
+                    return Some(false);
+                }
+            }
+        }
+        Some(true)
+    }
+}

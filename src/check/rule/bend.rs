@@ -27,7 +27,10 @@ pub fn check<W: Word>(context: &Context, a: &Node, b: Option<&Node>, factors: &[
         return Some(fails("β ≥ 0 at the end at M", format!("β = {}", factors[1])));
     }
     let tangents_a = Tangents::<W>::new(context, a)?;
-    let tangents_b = b.map(|b| Tangents::new(context, b)).transpose_option()?;
+    let tangents_b = match b {
+        Some(b) => Some(Tangents::new(context, b)?),
+        None => None,
+    };
     let second = tangents_b.as_ref().unwrap_or(&tangents_a);
     let mut path = tangents_a.of_pieces().chain(second.of_pieces()).peekable();
     if path.peek().is_none() {
@@ -43,19 +46,4 @@ pub fn check<W: Word>(context: &Context, a: &Node, b: Option<&Node>, factors: &[
         Some(true)
     })?;
     Some(if holds { Ok(()) } else { fails("(αv+βw)·x > 0 throughout", "a product that is not positive".into()) })
-}
-
-trait TransposeOption<T> {
-    /// `None` stays "nothing there"; a failed computation becomes the outer `None`.
-    fn transpose_option(self) -> Option<Option<T>>;
-}
-
-impl<T> TransposeOption<T> for Option<Option<T>> {
-    fn transpose_option(self) -> Option<Option<T>> {
-        match self {
-            None => Some(None),
-            Some(None) => None,
-            Some(Some(value)) => Some(Some(value)),
-        }
-    }
 }

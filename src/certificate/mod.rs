@@ -1,0 +1,150 @@
+//! The document: curve, statement and evidence, in its JSON and its binary form (FORMAT §4, §7).
+//!
+//! The tree is not part of [`Document`]: it is streamed, token by token, on reading and on writing.
+
+mod binary;
+mod block;
+mod bytes;
+mod json;
+
+use std::fmt;
+use std::io::{self, Read, Write};
+
+use crate::claim::msd::{Evidence, Statement};
+use crate::claim::tree::{BinaryTokens, Token, TokenError, TokenSource, parse_token};
+use crate::curve::Curve;
+use bytes::ByteSource;
+
+pub use block::curve_sha256;
+
+/// Which of the two forms a certificate is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// Readable, for small certificates.
+    Json,
+    /// Compact and streamed, for large ones.
+    Binary,
+}
+
+/// A certificate without its tree.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Document {
+    /// The program that wrote it.
+    pub tool: String,
+    /// A free text; proves nothing.
+    pub name: Option<String>,
+    /// How many joints were moved together on reading the curve; proves nothing.
+    pub snapped_joints: Option<u64>,
+    /// The curve.
+    pub curve: Curve,
+    /// What is claimed.
+    pub statement: Statement,
+    /// Why, beside the tree.
+    pub evidence: Evidence,
+    /// Is there a tree?
+    pub has_tree: bool,
+}
+
+/// Why a file is not a certificate.
+#[derive(Debug)]
+pub enum FormatError {
+    /// Reading failed.
+    Io(io::Error),
+    /// The file ends too early.
+    Truncated,
+    /// Neither the JSON form nor the binary form; with the place and what was found.
+    Malformed {
+        /// JSON path, or part of the binary form.
+        place: String,
+        /// What is wrong there.
+        what: String,
+    },
+    /// `curve_sha256` is not the hash of the curve.
+    Hash {
+        /// The hash in the file.
+        stated: String,
+        /// The hash of the curve in the file.
+        actual: String,
+    },
+}
+
+impl FormatError {
+    pub(crate) fn malformed(place: impl Into<String>, what: impl Into<String>) -> Self {
+        FormatError::Malformed { place: place.into(), what: what.into() }
+    }
+}
+
+impl fmt::Display for FormatError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            FormatError::Io(error) => write!(f, "reading failed: {error}"),
+            FormatError::Truncated => write!(f, "the file ends too early"),
+            FormatError::Malformed { place, what } => write!(f, "{place}: {what}"),
+            FormatError::Hash { stated, actual } => write!(f, "curve_sha256 is {stated}, but the curve's hash is {actual}"),
+        }
+    }
+}
+
+impl std::error::Error for FormatError {}
+
+impl From<io::Error> for FormatError {
+    fn from(error: io::Error) -> Self {
+        if error.kind() == io::ErrorKind::UnexpectedEof { FormatError::Truncated } else { FormatError::Io(error) }
+    }
+}
+
+impl From<TokenError> for FormatError {
+    fn from(error: TokenError) -> Self {
+        match error {
+            TokenError::Io(error) => FormatError::Io(error),
+            TokenError::Truncated => FormatError::Truncated,
+            TokenError::Malformed(what) => FormatError::malformed("binary form", what),
+        }
+    }
+}
+
+/// The tree of a certificate that is being read.
+pub enum Tokens<R> {
+    /// Tokens as texts, already in memory.
+    Json(std::vec::IntoIter<String>, usize),
+    /// Tokens still in the file.
+    Binary(BinaryTokens<ByteSource<R>>),
+}
+
+impl<R: Read> TokenSource for Tokens<R> {
+    fn next_token(&mut self) -> Result<Option<Token>, TokenError> {
+        match self {
+            Tokens::Json(texts, dimension) => texts.next().map(|text| parse_token(&text, *dimension)).transpose(),
+            Tokens::Binary(tokens) => tokens.next_token(),
+        }
+    }
+}
+
+/// The largest JSON certificate that is read, in bytes.
+pub const MAX_JSON_BYTES: u64 = 1 << 30;
+
+/// Reads a certificate of either form up to its tree.
+pub fn read<R: Read>(mut source: R) -> Result<(Document, Tokens<R>), FormatError> {
+    let mut magic = Vec::new();
+    source.by_ref().take(binary::MAGIC.len() as u64).read_to_end(&mut magic)?;
+    if magic == binary::MAGIC {
+        let (document, tokens) = binary::read(ByteSource::new(source))?;
+        return Ok((document, Tokens::Binary(tokens)));
+    }
+    let mut text = magic;
+    source.take(MAX_JSON_BYTES).read_to_end(&mut text)?;
+    if text.len() as u64 >= MAX_JSON_BYTES {
+        return Err(FormatError::malformed("file", "larger than 1 GiB"));
+    }
+    let (document, texts) = json::read(&text)?;
+    let dimension = document.curve.dimension();
+    Ok((document, Tokens::Json(texts.into_iter(), dimension)))
+}
+
+/// Writes a certificate; `tree` holds its tokens in their binary spelling, and is not read if the document has no tree.
+pub fn write<R: Read, W: Write>(document: &Document, tree: R, encoding: Encoding, out: &mut W) -> io::Result<()> {
+    match encoding {
+        Encoding::Json => json::write(document, tree, out),
+        Encoding::Binary => binary::write(document, tree, out),
+    }
+}

@@ -1,0 +1,143 @@
+//! Replaying a cover tree (FORMAT §5): one pass over the tokens, holding one path of nodes.
+
+use super::boxes::Boxes;
+use super::chain::{Chain, Scale};
+use super::element::{Element, Elements, Node};
+use super::part::Geometry;
+use super::rule::{Failure, Outcome, bend, cone, far, not_normal};
+use super::word::widening;
+use super::{Place, Reason, Rejection};
+use crate::claim::msd::{Convention, Lower};
+use crate::claim::tree::{Leaf, Token, TokenSource};
+
+/// What the rules look at: the curve's chain, its elements, and the boxes of its runs.
+pub struct Context<'c> {
+    /// The chain.
+    pub chain: &'c Chain,
+    /// The elements under the statement's convention.
+    pub elements: Elements,
+    /// The boxes of all runs.
+    pub boxes: Boxes,
+    /// 2^grid, which box coordinates are over.
+    pub grid_scale: Scale,
+}
+
+impl<'c> Context<'c> {
+    /// Prepares a chain for replay.
+    pub fn new(chain: &'c Chain, convention: Convention, grid: u32) -> Self {
+        let elements = Elements::new(chain, convention);
+        let boxes = Boxes::new(chain, &elements, grid);
+        Context { chain, elements, boxes, grid_scale: Scale { odd: 1.into(), exponent: grid } }
+    }
+
+    /// Does a leaf's obligation hold for the pair (A, B), or (A, A) when `b` is `None`?
+    pub fn obligation(&self, a: &Node<'c>, b: Option<&Node<'c>>, leaf: &Leaf, lower: &Lower) -> Outcome {
+        let bits = if [Some(a), b].into_iter().flatten().any(|node| wide(node, &self.boxes)) { 64 } else { 0 };
+        let fails = |expected, found: &str| Err(Failure { expected, found: found.into() });
+        match (leaf, b) {
+            (Leaf::Far(_), None) => fails("two different nodes", "one"),
+            (Leaf::Far(n), Some(b)) => match lower {
+                Lower::Infinite => fails("no far leaf under a statement of no double normal", "far"),
+                Lower::Finite(lower) => widening!(bits, W => far::check::<W>(self, a, b, n, lower)),
+            },
+            (Leaf::NotNormal(_), None) => fails("two different nodes", "one"),
+            (Leaf::NotNormal(factors), Some(b)) => widening!(bits, W => not_normal::check::<W>(self, a, b, factors)),
+            (Leaf::Cone(_) | Leaf::Bend(_), Some(b)) if !self.adjacent(a, b) => fails("adjacent nodes", "nodes apart"),
+            (Leaf::Cone(n), b) => widening!(bits, W => cone::check::<W>(self, a, b, n)),
+            (Leaf::Bend(factors), b) => widening!(bits, W => bend::check::<W>(self, a, b, factors)),
+        }
+    }
+
+    /// Do two different nodes, `a` before `b`, share an end parameter?
+    pub fn adjacent(&self, a: &Node, b: &Node) -> bool {
+        let (chain, elements) = (self.chain, &self.elements);
+        let at = |parameter: super::element::Parameter, integer| parameter.depth == 0 && parameter.piece == integer;
+        a.end(chain, elements) == b.start(chain, elements)
+            || chain.closed && at(a.start(chain, elements), 0) && at(b.end(chain, elements), chain.len())
+    }
+
+    /// The two halves of a node.
+    pub fn halves(&self, node: &Node<'c>) -> Option<(Node<'c>, Node<'c>)> {
+        node.halves(self.chain, &self.elements)
+    }
+}
+
+/// Does a node certainly need more than 64 bits?
+fn wide(node: &Node, boxes: &Boxes) -> bool {
+    match node {
+        Node::Run { .. } => matches!(boxes, Boxes::Large(_)),
+        Node::Point(Element::Piece(_)) => false,
+        Node::Point(_) => false,
+        Node::Part(part) => !matches!(part.geometry, Geometry::Narrow(_)),
+    }
+}
+
+/// Replays the tokens of `source` against the pair (whole, whole); returns the number of leaves.
+pub fn replay<S: TokenSource>(context: &Context, lower: &Lower, source: &mut S) -> Result<u64, Rejection> {
+    let mut replay = Replay { context, lower, source, tokens: 0, leaves: 0 };
+    let whole = Node::whole(context.chain, &context.elements);
+    replay.pair(&whole, None)?;
+    match replay.source.next_token() {
+        Ok(None) => Ok(replay.leaves),
+        Ok(Some(_)) => Err(Rejection { place: Place::Token { number: replay.tokens }, reason: Reason::TokensLeft }),
+        Err(error) => Err(Rejection { place: Place::Token { number: replay.tokens }, reason: Reason::Token(error.to_string()) }),
+    }
+}
+
+struct Replay<'r, 'c, S> {
+    context: &'r Context<'c>,
+    lower: &'r Lower,
+    source: &'r mut S,
+    tokens: u64,
+    leaves: u64,
+}
+
+impl<'c, S: TokenSource> Replay<'_, 'c, S> {
+    /// Replays the pair (A, B), or (A, A) when `b` is `None`. The recursion is at most as deep as two paths of halvings.
+    fn pair(&mut self, a: &Node<'c>, b: Option<&Node<'c>>) -> Result<(), Rejection> {
+        if b.is_none() && a.is_point() {
+            return Ok(());
+        }
+        let token = match self.source.next_token() {
+            Ok(Some(token)) => token,
+            Ok(None) => return Err(self.rejection(a, b, Reason::TokensMissing)),
+            Err(error) => return Err(self.rejection(a, b, Reason::Token(error.to_string()))),
+        };
+        self.tokens += 1;
+        match (&token, b) {
+            (Token::Leaf(leaf), _) => {
+                self.leaves += 1;
+                self.context
+                    .obligation(a, b, leaf, self.lower)
+                    .map_err(|failure| self.rejection(a, b, Reason::Obligation { rule: leaf.rule(), failure }))
+            }
+            (Token::Split, None) => {
+                let (left, right) = self.halves(a, a, None)?;
+                self.pair(&left, None)?;
+                self.pair(&left, Some(&right))?;
+                self.pair(&right, None)
+            }
+            (Token::First, Some(b)) => {
+                let (left, right) = self.halves(a, a, Some(b))?;
+                self.pair(&left, Some(b))?;
+                self.pair(&right, Some(b))
+            }
+            (Token::Second, Some(b)) => {
+                let (left, right) = self.halves(b, a, Some(b))?;
+                self.pair(a, Some(&left))?;
+                self.pair(a, Some(&right))
+            }
+            _ => Err(self.rejection(a, b, Reason::WrongSplit)),
+        }
+    }
+
+    fn halves(&self, node: &Node<'c>, a: &Node, b: Option<&Node>) -> Result<(Node<'c>, Node<'c>), Rejection> {
+        self.context.halves(node).ok_or_else(|| self.rejection(a, b, Reason::CannotSplit))
+    }
+
+    fn rejection(&self, a: &Node, b: Option<&Node>, reason: Reason) -> Rejection {
+        let address = |node: &Node| node.address(self.context.chain, &self.context.elements);
+        let place = Place::Pair { token: self.tokens.saturating_sub(1), a: address(a), b: address(b.unwrap_or(a)) };
+        Rejection { place, reason }
+    }
+}

@@ -1,0 +1,171 @@
+//! The checker: replays a certificate in exact integers. It never searches and never trusts a number it can compute.
+//!
+//! It uses the number types, the curve's data, the claim's data and the certificate reader, and nothing of the prover.
+
+pub mod boxes;
+pub mod chain;
+pub mod cover;
+pub mod element;
+pub mod hull;
+mod msd;
+pub mod part;
+pub mod rule;
+pub mod section;
+pub mod tangents;
+pub mod word;
+
+use std::fmt;
+use std::io::Read;
+
+use crate::certificate::{self, Document, FormatError};
+pub use msd::check_msd;
+pub use rule::Failure;
+
+/// Where a certificate was found wanting.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The statement.
+    Statement,
+    /// The curve.
+    Curve,
+    /// The upper bound's rule.
+    Upper {
+        /// Its name.
+        rule: &'static str,
+    },
+    /// A pair of nodes of the tree.
+    Pair {
+        /// Number of the token, from 0.
+        token: u64,
+        /// First node.
+        a: String,
+        /// Second node.
+        b: String,
+    },
+    /// Between the tokens.
+    Token {
+        /// Number of the token, from 0.
+        number: u64,
+    },
+}
+
+/// What was wrong there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// lower_squared > upper_squared, or "inf" beside an upper bound.
+    Reversed,
+    /// A tree where lower_squared is 0, or none where it is not.
+    TreePresence,
+    /// An upper rule without an upper bound, or a bound without a rule.
+    UpperPresence,
+    /// The grid is above 100,000.
+    Grid,
+    /// A piece whose derivative vanishes identically.
+    PointPiece {
+        /// Its number.
+        piece: usize,
+    },
+    /// A rule of the other convention.
+    WrongConvention,
+    /// A rule's obligation does not hold.
+    Obligation {
+        /// The rule.
+        rule: &'static str,
+        /// What was expected and found.
+        failure: Failure,
+    },
+    /// `split` of two different nodes, or `first` or `second` of one node with itself.
+    WrongSplit,
+    /// A split of a point element, or of a part halved 120 times.
+    CannotSplit,
+    /// The tokens end before the tree does.
+    TokensMissing,
+    /// The tree ends before the tokens do.
+    TokensLeft,
+    /// A token that cannot be read.
+    Token(String),
+}
+
+/// Why a well-formed certificate is not accepted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Rejection {
+    /// Where.
+    pub place: Place,
+    /// Why.
+    pub reason: Reason,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::Statement => f.write_str("statement"),
+            Place::Curve => f.write_str("curve"),
+            Place::Upper { rule } => write!(f, "upper bound, rule {rule}"),
+            Place::Pair { token, a, b } => write!(f, "tree, token {token}, pair ({a}; {b})"),
+            Place::Token { number } => write!(f, "tree, token {number}"),
+        }
+    }
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Reason::Reversed => f.write_str("lower_squared exceeds upper_squared"),
+            Reason::TreePresence => f.write_str("expected a tree when and only when lower_squared is not 0"),
+            Reason::UpperPresence => f.write_str("expected an upper rule when and only when there is an upper bound"),
+            Reason::Grid => f.write_str("the grid exceeds 100,000"),
+            Reason::PointPiece { piece } => write!(f, "the derivative of piece {piece} vanishes identically"),
+            Reason::WrongConvention => f.write_str("a rule of the convention \"critical\" under another one"),
+            Reason::Obligation { rule, failure } => {
+                write!(f, "rule {rule}: expected {}, found {}", failure.expected, failure.found)
+            }
+            Reason::WrongSplit => f.write_str("a split that is not for this pair"),
+            Reason::CannotSplit => f.write_str("a split of a corner or end, or of a part halved 120 times"),
+            Reason::TokensMissing => f.write_str("the tokens end before the tree does"),
+            Reason::TokensLeft => f.write_str("tokens left over when the tree is complete"),
+            Reason::Token(what) => f.write_str(what),
+        }
+    }
+}
+
+impl fmt::Display for Rejection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.place, self.reason)
+    }
+}
+
+impl std::error::Error for Rejection {}
+
+/// What the checker says of a file.
+#[derive(Debug)]
+pub enum Verdict {
+    /// Every obligation holds: the statement is true of the curve.
+    Accepted {
+        /// The document, with curve and statement.
+        document: Box<Document>,
+        /// Leaves of the tree.
+        leaves: u64,
+    },
+    /// The file is not a certificate.
+    Malformed(FormatError),
+    /// The file is a certificate, but does not prove its statement.
+    Rejected {
+        /// The document.
+        document: Box<Document>,
+        /// Why not.
+        rejection: Rejection,
+    },
+}
+
+/// Checks a certificate in either form.
+pub fn check<R: Read>(source: R) -> Verdict {
+    let (document, mut tokens) = match certificate::read(source) {
+        Ok(read) => read,
+        Err(error) => return Verdict::Malformed(error),
+    };
+    let document = Box::new(document);
+    match check_msd(&document, &mut tokens) {
+        Ok(leaves) => Verdict::Accepted { document, leaves },
+        Err(rejection) => Verdict::Rejected { document, rejection },
+    }
+}

@@ -1,0 +1,136 @@
+//! `miranda`: a double normal exists in a box of parameters (FORMAT §6).
+//!
+//! Proof: F_i(s,t) = (c(s)−c(t))·(α_i D(s)+β_i D(t)) is on each face a convex combination of the products tested (for a fixed first argument, the point
+//! c(t) is one of the hull points q, D(t) one of the coefficients w), so F₁ has opposite signs on s = s₀ and s = s₁, and F₂ on t = t₀ and t = t₁. If no joint is inside, F is continuous
+//! and vanishes somewhere by the Poincaré–Miranda theorem; as α₁β₂ ≠ α₂β₁ the chord is orthogonal to D(s) and D(t), neither of which vanishes because m·D > 0.
+//! At a smooth joint inside, D jumps from D⁻ to D⁺ = λD⁻, λ > 0. Widen the joint to a segment on which c stands still and D passes from D⁻ to D⁺ linearly: F
+//! is continuous on the longer box; on its faces F is linear in D there, so its sign is that of the two ends, which are tested; a zero on the segment is one at the joint.
+
+use super::{Outcome, fails};
+use crate::check::chain::{Chain, Scale};
+use crate::check::hull::{Gap, Hull, bring_together};
+use crate::check::section::{HullAndField, PointAndField, apart, end_of, point, section, sections, smooth_at};
+use crate::check::word::{Word, combine, dot, vector};
+use crate::claim::msd::Interval;
+use crate::number::{Integer, Rational};
+
+/// The witness of the rule.
+pub struct Witness<'w> {
+    /// I.
+    pub s: &'w Interval,
+    /// J.
+    pub t: &'w Interval,
+    /// α₁, β₁.
+    pub first: &'w [Integer; 2],
+    /// α₂, β₂.
+    pub second: &'w [Integer; 2],
+    /// m_I, m_J.
+    pub regular: &'w [[Integer; 3]; 2],
+    /// Sub-sections of each section on the faces.
+    pub subdivisions: u32,
+}
+
+/// Checks all obligations.
+pub fn check<W: Word>(chain: &Chain, witness: &Witness, upper_squared: &Rational) -> Option<Outcome> {
+    if !(1..=1024).contains(&witness.subdivisions) {
+        return Some(fails("1 to 1,024 subdivisions", witness.subdivisions.to_string()));
+    }
+    let (Some((pieces_s, joint_s)), Some((pieces_t, joint_t))) = (sections(chain, witness.s), sections(chain, witness.t)) else {
+        return Some(fails("two intervals of the curve", "an interval outside it, reversed or too long".into()));
+    };
+    if !apart(chain, witness.s, witness.t) {
+        return Some(fails("disjoint intervals in order", "intervals that meet".into()));
+    }
+    if let Some(joint) = joint_s.into_iter().chain(joint_t).find(|joint| !smooth_at(chain, *joint)) {
+        return Some(fails("no corner inside", format!("the corner at {joint}")));
+    }
+    let ([a1, b1], [a2, b2]) = (witness.first, witness.second);
+    if a1 * b2 == a2 * b1 {
+        return Some(fails("α₁β₂ ≠ α₂β₁", "equal".into()));
+    }
+    for (pieces, m) in [(&pieces_s, &witness.regular[0]), (&pieces_t, &witness.regular[1])] {
+        if !regular::<W>(chain, pieces, m)? {
+            return Some(fails("m·v > 0 for all tangents of an interval", "a product that is not positive".into()));
+        }
+    }
+    let faces = [(&pieces_s, &pieces_t, witness.first, false), (&pieces_t, &pieces_s, witness.second, true)];
+    for (across, along, factors, swapped) in faces {
+        let mut parts = Vec::new();
+        for piece in along.iter().flat_map(|piece| piece.subdivided(witness.subdivisions)) {
+            parts.push(section::<W>(chain, &piece)?);
+        }
+        for end in [false, true] {
+            let here = point::<W>(chain, &end_of(across, end))?;
+            for part in &parts {
+                if !face(&here, part, factors, swapped, end)? {
+                    let which = if swapped { "t" } else { "s" };
+                    return Some(fails("one strict sign on each face", format!("not on the face {which}{}", u8::from(end))));
+                }
+            }
+        }
+    }
+    if !within::<W>(chain, &pieces_s, &pieces_t, upper_squared)? {
+        return Some(fails("upper_squared ≥ |p−q|² for all hull points", "a longer difference".into()));
+    }
+    Some(Ok(()))
+}
+
+/// Is m·v > 0 for all coefficients of D on the sections?
+pub fn regular<W: Word>(chain: &Chain, pieces: &[crate::check::section::Section], m: &[Integer; 3]) -> Option<bool> {
+    let m = vector::<W>(m)?;
+    for piece in pieces {
+        for v in &section::<W>(chain, piece)?.fields {
+            if dot(&m, v)? <= W::zero() {
+                return Some(false);
+            }
+        }
+    }
+    Some(true)
+}
+
+/// Is upper_squared ≥ |p−q|² for all hull points of the sections?
+fn within<W: Word>(
+    chain: &Chain,
+    first: &[crate::check::section::Section],
+    second: &[crate::check::section::Section],
+    upper_squared: &Rational,
+) -> Option<bool> {
+    for a in first {
+        let a = section::<W>(chain, a)?;
+        for b in second {
+            if !at_most(&a.hull, &section::<W>(chain, b)?.hull, upper_squared)? {
+                return Some(false);
+            }
+        }
+    }
+    Some(true)
+}
+
+/// Is upper_squared ≥ |p−q|² for all points of the two hulls?
+pub fn at_most<W: Word>(a: &Hull<W>, b: &Hull<W>, upper_squared: &Rational) -> Option<bool> {
+    let gap = Gap::new(a, b)?;
+    let common = W::from_integer(&gap.common.value())?;
+    let (numerator, denominator) = (W::from_integer(upper_squared.numer())?, W::from_integer(upper_squared.denom())?);
+    gap.all_differences(|x, unit| {
+        let unit = unit.times(&common)?;
+        Some(dot(x, x)?.times(&denominator)? <= numerator.times(&unit.times(&unit)?)?)
+    })
+}
+
+/// The sign on one face: negative at the start (`end` false), positive at the end, of (p−q)·(αD(p)+βD(q)), where the fixed point is p, or q if
+/// `swapped`.
+fn face<W: Word>(here: &PointAndField<W>, part: &HullAndField<W>, factors: &[Integer; 2], swapped: bool, end: bool) -> Option<bool> {
+    let (fixed, moving) = if swapped { (&factors[1], &factors[0]) } else { (&factors[0], &factors[1]) };
+    let (s, t, _): (W, W, Scale) = bring_together(&here.field_scale, &part.field_scale)?;
+    let (mut fixed, mut moving) = (W::from_integer(fixed)?.times(&t)?, W::from_integer(moving)?.times(&s)?);
+    if !end {
+        (fixed, moving) = (W::zero().minus(&fixed)?, W::zero().minus(&moving)?);
+    }
+    let gap = if swapped { Gap::new(&part.hull, &here.point) } else { Gap::new(&here.point, &part.hull) }?;
+    for w in &part.fields {
+        if !gap.positive(&combine(&fixed, &here.field, &moving, w)?)? {
+            return Some(false);
+        }
+    }
+    Some(true)
+}

@@ -1,0 +1,236 @@
+//! Points of the chain at rational parameters, and sections of it between them (FORMAT §6).
+
+use std::cmp::Ordering;
+
+use super::chain::{Chain, OwnedNumbers, Scale};
+use super::hull::Hull;
+use super::word::Word;
+use crate::claim::msd::{Interval, Side};
+use crate::number::{Integer, Rational};
+
+/// A parameter on a certain piece, u ∈ [0, 1] local.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Location {
+    /// The piece.
+    pub piece: usize,
+    /// The local parameter.
+    pub local: Rational,
+}
+
+/// A piece between two local parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Section {
+    /// The piece.
+    pub piece: usize,
+    /// Start, 0 ≤ start < end.
+    pub start: Rational,
+    /// End, at most 1.
+    pub end: Rational,
+}
+
+fn whole_part(s: &Rational) -> Integer {
+    s.numer().div_floor(s.denom())
+}
+
+/// Is `s` a parameter of the chain: 0 ≤ s ≤ M, and not M on a closed one?
+pub fn is_parameter(chain: &Chain, s: &Rational) -> bool {
+    let end = Rational::from_integer(chain.len().into());
+    !s.numer().is_negative() && if chain.closed { *s < end } else { *s <= end }
+}
+
+/// The joint at an integer parameter of the chain (M is 0 when closed): its number, with the pieces before and after it where there
+/// are such.
+pub fn joint_pieces(chain: &Chain, joint: usize) -> (Option<usize>, Option<usize>) {
+    let count = chain.len();
+    let before = if joint > 0 { Some(joint - 1) } else { chain.closed.then(|| count - 1) };
+    let after = if joint < count { Some(joint) } else { chain.closed.then_some(0) };
+    (before, after)
+}
+
+/// The integer parameter `s` is, if it is one.
+pub fn as_joint(s: &Rational) -> Option<usize> {
+    if s.is_integer() { usize::try_from(s.numer().to_u64()?).ok() } else { None }
+}
+
+/// Where a parameter lies, seen from a side; `None` when there is no piece on that side.
+pub fn locate(chain: &Chain, s: &Rational, side: Side) -> Option<Location> {
+    if let Some(joint) = as_joint(s) {
+        let (before, after) = joint_pieces(chain, joint);
+        return match side {
+            Side::Before => Some(Location { piece: before?, local: Rational::from_integer(1.into()) }),
+            Side::After => Some(Location { piece: after?, local: Rational::from_integer(0.into()) }),
+        };
+    }
+    let piece = whole_part(s);
+    let local = s - Rational::from_integer(piece.clone());
+    Some(Location { piece: usize::try_from(piece.to_u64()?).ok()?, local })
+}
+
+/// The sections of an interval, and the joint strictly inside it, if any.
+pub fn sections(chain: &Chain, interval: &Interval) -> Option<(Vec<Section>, Option<usize>)> {
+    let (start, end) = (&interval.start, &interval.end);
+    let one = Rational::from_integer(1.into());
+    let count = Rational::from_integer(chain.len().into());
+    if start.numer().is_negative() || *start >= count || start >= end || end - start > one || (!chain.closed && *end > count) {
+        return None;
+    }
+    let first = usize::try_from(whole_part(start).to_u64()?).ok()?;
+    let base = Rational::from_integer(first.into());
+    let (from, to) = (start - &base, end - &base);
+    if to <= one {
+        return Some((vec![Section { piece: first, start: from, end: to }], None));
+    }
+    let next = (first + 1) % chain.len();
+    let zero = Rational::from_integer(0.into());
+    let before = Section { piece: first, start: from, end: one.clone() };
+    let after = Section { piece: next, start: zero, end: to - one };
+    Some((vec![before, after], Some(next)))
+}
+
+/// Is the joint smooth?
+pub fn smooth_at(chain: &Chain, joint: usize) -> bool {
+    match joint_pieces(chain, joint) {
+        (Some(before), Some(after)) => chain.smooth_joint(before, after),
+        _ => false,
+    }
+}
+
+impl Section {
+    /// The `count` equal sub-sections.
+    pub fn subdivided(&self, count: u32) -> Vec<Section> {
+        let step = (&self.end - &self.start) / Rational::from_integer(count.into());
+        let at = |i: u32| &self.start + &step * Rational::from_integer(i.into());
+        (0..count).map(|i| Section { piece: self.piece, start: at(i), end: at(i + 1) }).collect()
+    }
+
+    fn start_location(&self) -> Location {
+        Location { piece: self.piece, local: self.start.clone() }
+    }
+
+    fn end_location(&self) -> Location {
+        Location { piece: self.piece, local: self.end.clone() }
+    }
+}
+
+/// The location where a list of sections starts, or ends.
+pub fn end_of(sections: &[Section], end: bool) -> Location {
+    if end { sections[sections.len() - 1].end_location() } else { sections[0].start_location() }
+}
+
+/// A point of the curve and D there.
+pub struct PointAndField<W> {
+    /// The point, as a hull of one point.
+    pub point: Hull<W>,
+    /// D.
+    pub field: [W; 3],
+    /// What D is over.
+    pub field_scale: Scale,
+}
+
+/// A section's hull and field coefficients.
+pub struct HullAndField<W> {
+    /// Control points of the section.
+    pub hull: Hull<W>,
+    /// Coefficients of D on the section, zero vectors included.
+    pub fields: Vec<[W; 3]>,
+    /// What they are over.
+    pub field_scale: Scale,
+}
+
+/// The common denominator b of some parameters, and their numerators over it.
+fn numerators(parameters: &[&Rational]) -> (Integer, Vec<Integer>) {
+    let denominator = parameters.iter().fold(Integer::from(1), |lcm, u| lcm.lcm(u.denom()));
+    let over = parameters.iter().map(|u| u.numer() * denominator.div_exact(u.denom())).collect();
+    (denominator, over)
+}
+
+fn scaled(scale: &Scale, denominator: &Integer, degree: usize) -> Scale {
+    Scale::new(&(scale.value() * denominator.pow(degree as u32)))
+}
+
+/// b^degree times the blossom at the given arguments, each a numerator over b.
+fn blossom<W: Word>(coefficients: &[[W; 3]], arguments: &[&W], denominator: &W) -> Option<[W; 3]> {
+    let mut row = coefficients.to_vec();
+    for argument in arguments {
+        let rest = denominator.minus(argument)?;
+        for i in 0..row.len() - 1 {
+            row[i] = super::word::combine(&rest, &row[i], argument, &row[i + 1])?;
+        }
+        row.pop();
+    }
+    row.into_iter().next()
+}
+
+/// The Bernstein coefficients between two numerators over b, each times b^degree.
+fn restricted<W: Word>(coefficients: &[[W; 3]], start: &W, end: &W, denominator: &W) -> Option<Vec<[W; 3]>> {
+    let degree = coefficients.len() - 1;
+    (0..=degree)
+        .map(|k| {
+            let arguments: Vec<&W> = (0..degree).map(|i| if i < degree - k { start } else { end }).collect();
+            blossom(coefficients, &arguments, denominator)
+        })
+        .collect()
+}
+
+fn on_first_axis<W: Word>(numbers: &[W]) -> Vec<[W; 3]> {
+    numbers.iter().map(|x| [x.clone(), W::zero(), W::zero()]).collect()
+}
+
+/// The curve between two local parameters of a piece.
+pub fn section<W: Word>(chain: &Chain, section: &Section) -> Option<HullAndField<W>> {
+    let piece = &chain.pieces[section.piece];
+    let numbers: OwnedNumbers<W> = chain.numbers_as(section.piece)?;
+    let (denominator, over) = numerators(&[&section.start, &section.end]);
+    let (b, start, end) = (W::from_integer(&denominator)?, W::from_integer(&over[0])?, W::from_integer(&over[1])?);
+    let points = restricted(&numbers.points, &start, &end, &b)?;
+    let weights = match numbers.weights.is_empty() {
+        true => Vec::new(),
+        false => restricted(&on_first_axis(&numbers.weights), &start, &end, &b)?.into_iter().map(|[w, _, _]| w).collect(),
+    };
+    Some(HullAndField {
+        hull: Hull::of_points(points, weights, scaled(&piece.point_scale, &denominator, piece.degree)),
+        fields: restricted(&numbers.tangents, &start, &end, &b)?,
+        field_scale: scaled(&piece.tangent_scale, &denominator, piece.tangent_degree),
+    })
+}
+
+/// The curve and D at a local parameter of a piece.
+pub fn point<W: Word>(chain: &Chain, location: &Location) -> Option<PointAndField<W>> {
+    let piece = &chain.pieces[location.piece];
+    let numbers: OwnedNumbers<W> = chain.numbers_as(location.piece)?;
+    let (denominator, over) = numerators(&[&location.local]);
+    let (b, u) = (W::from_integer(&denominator)?, W::from_integer(&over[0])?);
+    let point = blossom(&numbers.points, &vec![&u; piece.degree], &b)?;
+    let weights = match numbers.weights.is_empty() {
+        true => Vec::new(),
+        false => {
+            let [weight, _, _] = blossom(&on_first_axis(&numbers.weights), &vec![&u; piece.degree], &b)?;
+            vec![weight]
+        }
+    };
+    Some(PointAndField {
+        point: Hull::of_points(vec![point], weights, scaled(&piece.point_scale, &denominator, piece.degree)),
+        field: blossom(&numbers.tangents, &vec![&u; piece.tangent_degree], &b)?,
+        field_scale: scaled(&piece.tangent_scale, &denominator, piece.tangent_degree),
+    })
+}
+
+/// The tangent direction at a location: D, or where D vanishes at an end of the piece the outgoing or incoming direction there. `None`
+/// where D vanishes inside.
+pub fn direction(chain: &Chain, location: &Location) -> Option<[Integer; 3]> {
+    let here: PointAndField<Integer> = point(chain, location).expect("unbounded integers do not overflow");
+    if here.field.iter().any(|x| x.sign() != Ordering::Equal) {
+        return Some(here.field);
+    }
+    match as_joint(&location.local) {
+        Some(0) => Some(chain.end_direction(location.piece, false)),
+        Some(_) => Some(chain.end_direction(location.piece, true)),
+        None => None,
+    }
+}
+
+/// Are two intervals in order and apart, also across the closing point?
+pub fn apart(chain: &Chain, first: &Interval, second: &Interval) -> bool {
+    let period = Rational::from_integer(chain.len().into());
+    first.end < second.start && (!chain.closed || second.end < &first.start + period)
+}

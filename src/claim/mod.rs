@@ -1,0 +1,4 @@
+//! Claims: statements and their evidence, as plain data. Nothing here computes.
+
+pub mod msd;
+pub mod tree;
