@@ -8,7 +8,7 @@ use super::{Integer, NumberError};
 /// An exact fraction, always reduced, with a positive denominator.
 ///
 /// Construct one with `Rational::new(numerator, denominator)` (which reduces, and panics on a zero denominator), or
-/// `Rational::from_integer`. [`RationalExt`] adds what is particular to this crate.
+/// `Rational::from_integer`; `is_integer` is a method of the type itself. [`RationalExt`] adds what is particular to this crate.
 pub type Rational = Ratio<Integer>;
 
 /// Conversions of [`Rational`] to and from binary64, fixed-point integers and canonical text.
@@ -24,9 +24,6 @@ pub trait RationalExt: Sized {
 
     /// ⌈self · 2^bits⌉.
     fn ceil_shifted(&self, bits: u32) -> Integer;
-
-    /// Whether the value is an integer.
-    fn is_integer(&self) -> bool;
 
     /// The canonical text: "-3/4", "5".
     fn format(&self) -> String;
@@ -81,10 +78,6 @@ impl RationalExt for Rational {
 
     fn ceil_shifted(&self, bits: u32) -> Integer {
         (self.numer() << bits).div_ceil(self.denom())
-    }
-
-    fn is_integer(&self) -> bool {
-        self.denom().is_one()
     }
 
     fn format(&self) -> String {
