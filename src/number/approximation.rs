@@ -116,3 +116,102 @@ impl Convergents {
         Rational::new_raw(self.numerators[1].clone(), self.denominators[1].clone())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::number::generate::rationals;
+
+    fn fraction(numerator: i64, denominator: i64) -> Rational {
+        Rational::new(Integer::from(numerator), Integer::from(denominator))
+    }
+
+    #[test]
+    fn known_values() {
+        let simplest = |a: (i64, i64), b: (i64, i64)| {
+            simplest_between(&fraction(a.0, a.1), &fraction(b.0, b.1)).format()
+        };
+        assert_eq!(simplest((314, 100), (315, 100)), "22/7");
+        assert_eq!(simplest((-315, 100), (-314, 100)), "-22/7");
+        assert_eq!(simplest((-1, 3), (5, 1)), "0");
+        assert_eq!(simplest((5, 2), (17, 2)), "3");
+        assert_eq!(simplest((-17, 2), (-5, 2)), "-3");
+        assert_eq!(simplest((7, 5), (7, 5)), "7/5");
+        assert_eq!(simplest((0, 1), (1, 9)), "0");
+        assert_eq!(simplest((1, 1000), (1, 999)), "1/999");
+        let pi = |limit| approximate(std::f64::consts::PI, limit).unwrap().format();
+        assert_eq!(
+            [pi(1), pi(6), pi(7), pi(105), pi(106), pi(112), pi(113)],
+            [
+                "3", "19/6", "22/7", "311/99", "333/106", "333/106", "355/113"
+            ]
+        );
+        assert_eq!(approximate(0.5, u64::MAX), Some(fraction(1, 2)));
+        assert_eq!(approximate(-0.1, 1000), Some(fraction(-1, 10)));
+        // Equally near to 0 and to 1.
+        assert_eq!(approximate(0.5, 1).unwrap().denom(), &Integer::ONE);
+        assert_eq!(approximate(1.0, 0), None);
+        assert_eq!(approximate(0.3, 0), None);
+        assert_eq!(approximate(f64::NAN, 5), None);
+        assert_eq!(approximate(f64::INFINITY, 5), None);
+        assert_eq!(approximate(5e-324, 1_000_000).unwrap().format(), "0");
+        assert_eq!(approximate(f64::MAX, 1), Rational::from_f64(f64::MAX));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(200))]
+
+        #[test]
+        fn simplest_by_trial(a in -3000_i64..3000, b in 1_i64..400, c in -3000_i64..3000, d in 1_i64..400) {
+            let (x, y) = (fraction(a, b), fraction(c, d));
+            let found = simplest_between(&x, &y);
+            let (lower, upper) = if x <= y { (x, y) } else { (y, x) };
+            let denominator = (1_i64..).find(|&denominator| {
+                let denominator = Integer::from(denominator);
+                (lower.numer() * &denominator).div_ceil(lower.denom()) <= (upper.numer() * &denominator).div_floor(upper.denom())
+            });
+            prop_assert_eq!(found.denom(), &Integer::from(denominator.unwrap()));
+            prop_assert!(lower <= found && found <= upper);
+            if found.is_integer() {
+                // One step towards zero leaves the interval.
+                let step = Rational::from_integer(Integer::from(found.numer().sign() as i64));
+                let nearer = &found - &step;
+                prop_assert!(found.numer().is_zero() || nearer < lower || nearer > upper);
+            }
+        }
+
+        #[test]
+        fn simplest_of_long_intervals(x in rationals(), bits in 0_u32..300) {
+            let width = Rational::new(Integer::ONE, Integer::ONE << bits);
+            let upper = &x + &width;
+            let found = simplest_between(&x, &upper);
+            prop_assert!(x <= found && found <= upper);
+            prop_assert!(found.denom() <= x.denom());
+            prop_assert!(found.denom() <= &(Integer::ONE << bits));
+            prop_assert_eq!(simplest_between(&x, &x), x);
+        }
+
+        #[test]
+        fn nearest_by_trial(x in -50.0..50.0_f64, limit in 1_u64..80) {
+            let exact = Rational::from_f64(x).unwrap();
+            let distance = |candidate: &Rational| {
+                let difference = candidate - &exact;
+                if difference.numer().is_negative() { -difference } else { difference }
+            };
+            let found = approximate(x, limit).unwrap();
+            prop_assert!(found.denom() <= &Integer::from(limit));
+            let least = (1..=limit)
+                .flat_map(|denominator| {
+                    let denominator = Integer::from(denominator);
+                    let floor = (exact.numer() * &denominator).div_floor(exact.denom());
+                    let ceiling = &floor + Integer::ONE;
+                    [Rational::new(floor, denominator.clone()), Rational::new(ceiling, denominator)]
+                })
+                .map(|candidate| distance(&candidate))
+                .min();
+            prop_assert_eq!(Some(distance(&found)), least);
+        }
+    }
+}

@@ -155,3 +155,171 @@ fn render(negative: bool, digits: &Integer, exponent: i64) -> String {
         format!("{sign}{}.{}", &digits[..whole], &digits[whole..])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::number::generate::{positive_rationals, rationals};
+    use crate::number::{Meaning, parse_number};
+
+    fn read(text: &str) -> Rational {
+        parse_number(text, Meaning::Decimal).unwrap()
+    }
+
+    /// One unit in the last of `significant` places of x > 0, the place of the first found by counting up or down.
+    fn unit(x: &Rational, significant: usize) -> Rational {
+        let (one, ten) = (
+            Rational::from_integer(Integer::ONE),
+            Rational::from_integer(Integer::from(10)),
+        );
+        let mut power = one;
+        while power > *x {
+            power /= &ten;
+        }
+        while &power * &ten <= *x {
+            power *= &ten;
+        }
+        for _ in 1..significant {
+            power /= &ten;
+        }
+        power
+    }
+
+    fn significant_digits(text: &str) -> usize {
+        let mantissa = text.split('e').next().unwrap_or_default();
+        let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+        let digits = digits.trim_start_matches('0');
+        if mantissa.contains('.') {
+            digits.len()
+        } else {
+            digits.trim_end_matches('0').len()
+        }
+    }
+
+    #[test]
+    fn forms() {
+        for (text, expected) in [
+            ("0", "0"),
+            ("2", "2"),
+            ("-2.50", "-2.5"),
+            ("100", "100"),
+            ("0.000001", "0.000001"),
+            ("0.00000099", "9.9e-7"),
+            ("1e-7", "1e-7"),
+            ("-1.25e-12", "-1.25e-12"),
+            ("999999999999999", "999999999999999"),
+            ("1e15", "1e15"),
+            ("123456789012345.5", "123456789012345.5"),
+            ("1234567890123456", "1.234567890123456e15"),
+            ("-1e300", "-1e300"),
+            ("10.01", "10.01"),
+        ] {
+            assert_eq!(decimal_down(&read(text), 17), expected);
+            assert_eq!(decimal_up(&read(text), 17), expected);
+        }
+        for (x, significant, down, up) in [
+            ("2/3", 3, "0.666", "0.667"),
+            ("-2/3", 3, "-0.667", "-0.666"),
+            ("99.99", 3, "99.9", "100"),
+            ("-99.99", 3, "-100", "-99.9"),
+            ("123456", 3, "123000", "124000"),
+            ("999999999999999.9", 15, "999999999999999", "1e15"),
+            ("0.0000009999", 2, "9.9e-7", "0.000001"),
+            ("7.5", 0, "7", "8"),
+            ("7.5", 1, "7", "8"),
+        ] {
+            assert_eq!(decimal_down(&read(x), significant), down);
+            assert_eq!(decimal_up(&read(x), significant), up);
+        }
+    }
+
+    #[test]
+    fn roots() {
+        let square_root = |text, significant| {
+            let square = read(text);
+            (
+                sqrt_decimal_down(&square, significant),
+                sqrt_decimal_up(&square, significant),
+            )
+        };
+        let pair = |down: &str, up: &str| (down.to_owned(), up.to_owned());
+        assert_eq!(square_root("4", 17), pair("2", "2"));
+        assert_eq!(square_root("0", 17), pair("0", "0"));
+        assert_eq!(
+            square_root("2", 18),
+            pair("1.41421356237309504", "1.41421356237309505")
+        );
+        assert_eq!(square_root("2e-30", 4), pair("1.414e-15", "1.415e-15"));
+        assert_eq!(square_root("1/16", 5), pair("0.25", "0.25"));
+        assert_eq!(square_root("0.99999", 3), pair("0.999", "1"));
+        assert_eq!(square_root("152399025", 3), pair("12300", "12400"));
+        // 12345² = 152399025.
+        assert_eq!(square_root("152399025", 5), pair("12345", "12345"));
+    }
+
+    #[test]
+    fn digits_of_intervals() {
+        let digits = |lower: &str, upper: &str| interval_digits(&read(lower), &read(upper));
+        assert_eq!(digits("0.44267517", "0.44267518"), 10);
+        assert_eq!(digits("1", "2"), 3);
+        assert_eq!(digits("-1", "1"), 3);
+        assert_eq!(digits("0", "1e-9"), 3);
+        assert_eq!(digits("99", "101"), 5);
+        assert_eq!(digits("5", "5"), 17);
+        assert_eq!(digits("0", "0"), 17);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(200))]
+
+        #[test]
+        fn nearest_in_each_direction(x in rationals(), significant in 1_usize..30) {
+            let (down, up) = (decimal_down(&x, significant), decimal_up(&x, significant));
+            prop_assert!(significant_digits(&down) <= significant, "{down}");
+            prop_assert!(significant_digits(&up) <= significant, "{up}");
+            let (lower, upper) = (read(&down), read(&up));
+            prop_assert!(lower <= x && x <= upper);
+            if x.numer().is_zero() {
+                prop_assert_eq!(down, "0");
+            } else {
+                let unit = unit(&magnitude(&x), significant);
+                // Neighbours on the grid, or the same point of it.
+                let grid = (&x / &unit).is_integer();
+                let width = if grid { Rational::from_integer(Integer::ZERO) } else { unit };
+                prop_assert_eq!(upper - lower, width);
+            }
+        }
+
+        #[test]
+        fn roots_nearest_in_each_direction(square in positive_rationals(), significant in 1_usize..30) {
+            let down = read(&sqrt_decimal_down(&square, significant));
+            let up = read(&sqrt_decimal_up(&square, significant));
+            prop_assert!(&down * &down <= square && square <= &up * &up);
+            if down == up {
+                prop_assert_eq!(&down * &down, square);
+            } else {
+                prop_assert_eq!(&up - &down, unit(&down, significant));
+            }
+        }
+
+        #[test]
+        fn roots_of_short_squares(root in 0_u32..10_000_000, places in -30_i32..30) {
+            let x = read(&format!("{root}e{places}"));
+            let text = decimal_down(&x, 10);
+            let square = &x * &x;
+            prop_assert_eq!(sqrt_decimal_down(&square, 10), text.clone());
+            prop_assert_eq!(sqrt_decimal_up(&square, 10), text);
+        }
+
+        #[test]
+        fn outward_rounding_widens_little(lower in rationals(), width in positive_rationals()) {
+            let upper = &lower + &width;
+            let digits = interval_digits(&lower, &upper);
+            let printed = read(&decimal_up(&upper, digits)) - read(&decimal_down(&lower, digits));
+            let limit = width * Rational::new(Integer::from(51), Integer::from(50));
+            prop_assert!(printed < limit);
+        }
+    }
+}

@@ -55,3 +55,59 @@ fn scale(value: Integer, exponent: i64) -> Rational {
         Rational::new(value, Integer::ONE << shift)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::number::generate::{positive_rationals, rationals};
+
+    #[test]
+    fn zero_and_squares() {
+        let zero = Rational::from_integer(Integer::ZERO);
+        assert_eq!(sqrt_enclosure(&zero, 10), (zero.clone(), zero));
+        let square = Rational::new(Integer::from(9), Integer::from(16));
+        let root = Rational::new(Integer::from(3), Integer::from(4));
+        assert_eq!(sqrt_enclosure(&square, 0), (root.clone(), root));
+        assert_eq!(
+            exact_sqrt(&Rational::new(Integer::from(9), Integer::from(2))),
+            None
+        );
+        assert_eq!(exact_sqrt(&Rational::from_integer(Integer::from(-4))), None);
+    }
+
+    #[test]
+    #[should_panic(expected = "square root of a negative number")]
+    fn negative_numbers_panic() {
+        sqrt_enclosure(&Rational::from_integer(Integer::from(-1)), 10);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(200))]
+
+        #[test]
+        fn encloses_narrowly(x in positive_rationals(), shift in 0_u32..400, bits in 0_u32..200) {
+            let power = Rational::from_integer(Integer::ONE << shift);
+            for x in [&x * &power, &x / &power] {
+                let (lower, upper) = sqrt_enclosure(&x, bits);
+                prop_assert!(&lower * &lower <= x && x <= &upper * &upper);
+                // Relative to the lower end, hence to the root.
+                let widened = (&upper - &lower) * Rational::from_integer(Integer::ONE << bits);
+                prop_assert!(widened <= lower);
+                if lower != upper {
+                    prop_assert!(lower.denom().is_power_of_two() && upper.denom().is_power_of_two());
+                    prop_assert!(&lower * &lower < x && x < &upper * &upper);
+                }
+            }
+        }
+
+        #[test]
+        fn exact_for_squares(x in rationals(), bits in 0_u32..100) {
+            let (lower, upper) = sqrt_enclosure(&(&x * &x), bits);
+            let magnitude = if x.numer().is_negative() { -x } else { x };
+            prop_assert_eq!(&lower, &magnitude);
+            prop_assert_eq!(upper, magnitude);
+        }
+    }
+}

@@ -11,6 +11,9 @@
 //! decimal digits, and may be left out. A fraction consists of decimal digits around one '/'. Spaces, separators and
 //! suffixes are errors. This is a superset of the numbers of JSON.
 
+#[cfg(test)]
+mod tests;
+
 use super::error::quote;
 use super::rational::quotient_to_f64;
 use super::{Integer, NumberError, Rational, RationalExt};
