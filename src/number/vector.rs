@@ -165,3 +165,86 @@ fn split(denominator: &Integer) -> (u32, Option<Integer>) {
         (exponent, Some(denominator >> exponent))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::number::RationalExt;
+    use crate::number::generate::{integers, rationals};
+
+    fn is_canonical(vector: &RationalVector) -> bool {
+        let divisor = vector
+            .numerators()
+            .iter()
+            .fold(vector.denominator().clone(), |divisor, numerator| {
+                divisor.gcd(numerator)
+            });
+        vector.denominator().is_positive() && divisor.is_one()
+    }
+
+    #[test]
+    fn without_numbers_and_without_sense() {
+        let empty = RationalVector::from_rationals(&[]);
+        assert!(empty.is_empty());
+        assert_eq!(empty, RationalVector::default());
+        assert_eq!(
+            RationalVector::from_parts(vec![], Integer::from(12)),
+            Some(empty)
+        );
+        for denominator in [0, -1] {
+            let numerators = vec![Integer::ONE];
+            assert_eq!(
+                RationalVector::from_parts(numerators, Integer::from(denominator)),
+                None
+            );
+        }
+        let zeros = RationalVector::from_parts(vec![Integer::ZERO; 3], Integer::from(12)).unwrap();
+        assert_eq!(zeros.denominator(), &Integer::ONE);
+        assert_eq!(zeros.len(), 3);
+    }
+
+    #[test]
+    fn least_value_of_64_bits() {
+        let numerators = vec![Integer::from(i64::MIN), Integer::ONE << 64];
+        let vector = RationalVector::from_parts(numerators, Integer::ONE << 63).unwrap();
+        assert_eq!(vector.numerators(), [Integer::from(-1), Integer::from(2)]);
+        assert_eq!(vector.denominator(), &Integer::ONE);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(200))]
+
+        #[test]
+        fn keeps_the_numbers(numbers in prop::collection::vec(rationals(), 0..9)) {
+            let vector = RationalVector::from_rationals(&numbers);
+            prop_assert!(is_canonical(&vector));
+            prop_assert_eq!(vector.len(), numbers.len());
+            prop_assert_eq!(vector.iter().collect::<Vec<_>>(), numbers.clone());
+            for (i, number) in numbers.iter().enumerate() {
+                prop_assert_eq!(&vector.get(i), number);
+            }
+            let floats: Vec<f64> = numbers.iter().map(RationalExt::to_f64).collect();
+            prop_assert_eq!(vector.to_f64s(), floats);
+        }
+
+        #[test]
+        fn reduces_parts(
+            numerators in prop::collection::vec(integers(), 0..9),
+            denominator in prop_oneof![integers(), (1_i64..500).prop_map(Integer::from), (0_u32..90).prop_map(|bits| Integer::ONE << bits)],
+            factor in prop_oneof![integers(), (1_i64..500).prop_map(Integer::from), (0_u32..90).prop_map(|bits| Integer::ONE << bits)],
+        ) {
+            let one = |integer: Integer| if integer.is_zero() { Integer::ONE } else { integer.abs() };
+            let (denominator, factor) = (one(denominator), one(factor));
+            let numbers: Vec<Rational> = numerators
+                .iter()
+                .map(|numerator| Rational::new(numerator.clone(), denominator.clone()))
+                .collect();
+            let multiples = numerators.iter().map(|numerator| numerator * &factor).collect();
+            let vector = RationalVector::from_parts(multiples, denominator * factor).unwrap();
+            prop_assert!(is_canonical(&vector));
+            prop_assert_eq!(vector, RationalVector::from_rationals(&numbers));
+        }
+    }
+}
