@@ -1,7 +1,5 @@
 //! One rational or polynomial Bézier piece.
 
-use num_traits::Signed;
-
 use super::{CurveError, CurveFault, MAXIMUM_BITS, MAXIMUM_DEGREE};
 use crate::number::{Rational, RationalVector};
 
@@ -94,7 +92,7 @@ pub(super) fn check_points(dimension: usize, points: &RationalVector) -> Result<
         return Err(CurveError::new("points", fault));
     }
     let count = points.len() / dimension;
-    if points.len() % dimension != 0 {
+    if !points.len().is_multiple_of(dimension) {
         let fault = CurveFault::MixedDimensions {
             found: points.len() % dimension,
             expected: dimension,

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Zero};
 
 use super::data::joins;
 use super::{Bezier, Curve, Form};
@@ -113,7 +113,7 @@ impl<'a> Chain<'a> {
     /// it, M to the last piece. Nothing outside.
     pub fn locate(&self, parameter: &Rational) -> Option<(usize, Rational)> {
         let floor = parameter.numer().div_floor(parameter.denom());
-        let i = floor.to_usize()?;
+        let i = usize::try_from(floor.to_u64()?).ok()?;
         if i == self.count() && parameter.is_integer() {
             return Some((i - 1, Rational::one()));
         }

@@ -67,6 +67,14 @@ impl Curve {
         &self.form
     }
 
+    /// Whether the two ends coincide exactly.
+    pub fn is_closed(&self) -> bool {
+        match &self.form {
+            Form::BSpline(spline) => spline.is_closed(),
+            Form::Bezier(pieces) => joins(&pieces[pieces.len() - 1], &pieces[0]),
+        }
+    }
+
     /// The curve's data, by value.
     pub fn into_form(self) -> Form {
         self.form
@@ -98,5 +106,6 @@ pub(super) fn equal(a: &RationalVector, i: usize, b: &RationalVector, j: usize) 
 
 /// Numbers over a denominator known to be positive.
 pub(super) fn over(numerators: Vec<Integer>, denominator: Integer) -> RationalVector {
-    RationalVector::from_parts(numerators, denominator).expect("a product of denominators is positive")
+    RationalVector::from_parts(numerators, denominator)
+        .expect("a product of denominators is positive")
 }

@@ -10,14 +10,13 @@ use crate::number::{Integer, RationalVector};
 pub(super) fn decompose(spline: &BSpline) -> (Vec<Bezier>, RationalVector) {
     let (p, count) = (spline.degree, spline.count());
     let knots = spline.knots.numerators();
-    let control = spline.homogeneous();
     let mut pieces = Vec::new();
     let mut ends = vec![knots[p].clone()];
     for k in p..count {
         if knots[k] == knots[k + 1] {
             continue;
         }
-        let mut piece = span_bezier(spline, &control, k);
+        let mut piece = span_bezier(spline, k);
         if piece.is_polynomial() {
             piece.weights = None;
         }
@@ -28,11 +27,14 @@ pub(super) fn decompose(spline: &BSpline) -> (Vec<Bezier>, RationalVector) {
     (pieces, ends)
 }
 
-/// The Bézier piece of the non-empty span t_k < t_{k+1} of the domain; `control` is all of the spline's.
-pub(super) fn span_bezier(spline: &BSpline, control: &[Homogeneous], k: usize) -> Bezier {
+/// The Bézier piece of the non-empty span t_k < t_{k+1} of the domain.
+pub(super) fn span_bezier(spline: &BSpline, k: usize) -> Bezier {
     let p = spline.degree;
     let knots = &spline.knots.numerators()[k + 1 - p..=k + p];
-    Bezier::from_homogeneous(spline.dimension, &span_points(knots, control[k - p..=k].to_vec()))
+    Bezier::from_homogeneous(
+        spline.dimension,
+        &span_points(knots, spline.homogeneous_range(k - p..k + 1)),
+    )
 }
 
 /// The Bézier control points of the span between the two middle ones of the 2p knots on which p + 1 control points act.

@@ -94,7 +94,7 @@ impl BSpline {
         let (k, _) = self.span(t, side)?;
         let (start, end) = (self.knots.get(k), self.knots.get(k + 1));
         let length = end - &start;
-        let piece = span_bezier(self, &self.homogeneous(), k);
+        let piece = span_bezier(self, k);
         let mut result = piece.derivatives(&((t - start) / &length), order)?;
         let mut factor = Rational::one();
         for vector in &mut result {

@@ -65,12 +65,11 @@ impl BSpline {
         let knots = self.elevated_knots(by);
         let count = knots.len() - q - 1;
         // The non-empty spans of the domain in the elevated knots, with their elevated pieces.
-        let old = self.homogeneous();
         let mut spans: Vec<(usize, Bezier)> = Vec::new();
         let mut next = q;
         for k in p..self.count() {
             if self.knots.numerators()[k] < self.knots.numerators()[k + 1] {
-                let piece = span_bezier(self, &old, k).elevate(by)?;
+                let piece = span_bezier(self, k).elevate(by)?;
                 let span = (next..count)
                     .find(|&i| knots[i] < knots[i + 1])
                     .expect("elevation keeps the spans");

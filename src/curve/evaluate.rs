@@ -52,6 +52,12 @@ impl BSpline {
         Ok(point.affine(self.dimension))
     }
 
+    /// Whether the points at the two ends of the domain are the same.
+    pub(super) fn is_closed(&self) -> bool {
+        let (start, end) = self.domain();
+        self.evaluate(&start) == self.evaluate(&end)
+    }
+
     /// The index k of the non-empty knot span t_k < t_{k+1} of the domain on the given side of t, and whether t lies
     /// strictly inside it; at an end of the domain the span inside.
     pub(super) fn span(&self, t: &Rational, side: Side) -> Result<(usize, bool), OperationError> {
@@ -64,8 +70,7 @@ impl BSpline {
             return Err(OperationError::OutsideDomain);
         }
         let domain = &knots[p..=n];
-        let at_or_before =
-            domain.partition_point(|k| Rational::from_integer(k.clone()) <= scaled);
+        let at_or_before = domain.partition_point(|k| Rational::from_integer(k.clone()) <= scaled);
         let before = domain.partition_point(|k| Rational::from_integer(k.clone()) < scaled);
         let k = if (side == Side::After && !compare(n).is_eq()) || before == 0 {
             p + at_or_before - 1
@@ -83,9 +88,7 @@ impl BSpline {
 
     /// The p + 1 homogeneous control points that act on span k.
     pub(super) fn span_control(&self, k: usize) -> Vec<Homogeneous> {
-        let mut control = self.homogeneous();
-        control.truncate(k + 1);
-        control.split_off(k - self.degree)
+        self.homogeneous_range(k - self.degree..k + 1)
     }
 }
 

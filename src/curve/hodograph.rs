@@ -83,10 +83,7 @@ impl Bezier {
         Hodograph {
             dimension: d,
             degree,
-            coefficients: super::data::over(
-                numerators,
-                denominator * self.points.denominator(),
-            ),
+            coefficients: super::data::over(numerators, denominator * self.points.denominator()),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Homogeneous control points over one denominator each: what the algorithms compute with.
 
-use num_traits::{One, Zero};
+use std::ops::Range;
+
+use num_traits::One;
 
 use super::{BSpline, Bezier};
 use crate::number::{Integer, Rational, RationalVector};
@@ -118,13 +120,15 @@ impl Homogeneous {
     }
 }
 
-/// Flat affine points and weights to homogeneous control points.
+/// Flat affine points and weights to the homogeneous control points of a range of indices.
 fn lift(
     dimension: usize,
     points: &RationalVector,
     weights: Option<&RationalVector>,
+    range: Range<usize>,
 ) -> Vec<Homogeneous> {
-    let chunks = points.numerators().chunks_exact(dimension);
+    let flat = &points.numerators()[range.start * dimension..range.end * dimension];
+    let chunks = flat.chunks_exact(dimension);
     let d = points.denominator();
     let Some(weights) = weights else {
         return chunks
@@ -136,7 +140,7 @@ fn lift(
     };
     let denominator = d * weights.denominator();
     chunks
-        .zip(weights.numerators())
+        .zip(&weights.numerators()[range])
         .map(|(chunk, w)| Homogeneous {
             numerators: chunk.iter().map(|x| x * w).chain([d * w]).collect(),
             denominator: denominator.clone(),
@@ -165,7 +169,12 @@ fn lower(dimension: usize, points: &[Homogeneous]) -> (RationalVector, Option<Ra
 impl Bezier {
     /// Homogeneous control points, without the weight when there are no weights.
     pub(super) fn homogeneous(&self) -> Vec<Homogeneous> {
-        lift(self.dimension, &self.points, self.weights.as_ref())
+        lift(
+            self.dimension,
+            &self.points,
+            self.weights.as_ref(),
+            0..self.degree + 1,
+        )
     }
 
     /// From at least two homogeneous control points with positive weights.
@@ -183,7 +192,12 @@ impl Bezier {
 impl BSpline {
     /// Homogeneous control points, without the weight when there are no weights.
     pub(super) fn homogeneous(&self) -> Vec<Homogeneous> {
-        lift(self.dimension, &self.points, self.weights.as_ref())
+        self.homogeneous_range(0..self.count())
+    }
+
+    /// The homogeneous control points of a range of indices.
+    pub(super) fn homogeneous_range(&self, range: Range<usize>) -> Vec<Homogeneous> {
+        lift(self.dimension, &self.points, self.weights.as_ref(), range)
     }
 
     /// From valid knots and matching homogeneous control points with positive weights.

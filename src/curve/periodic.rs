@@ -30,7 +30,7 @@ impl BSpline {
             return Err(CurveError::new("points", fault));
         }
         let count = points.len() / dimension;
-        if points.len() % dimension != 0 {
+        if !points.len().is_multiple_of(dimension) {
             let fault = CurveFault::MixedDimensions {
                 found: points.len() % dimension,
                 expected: dimension,
@@ -70,8 +70,8 @@ impl BSpline {
             .map(|i| {
                 let turns = (i + count * degree - degree) / count;
                 let within = (i + count * degree - degree) % count;
-                let shift = Rational::from_integer(turns.into())
-                    - Rational::from_integer(degree.into());
+                let shift =
+                    Rational::from_integer(turns.into()) - Rational::from_integer(degree.into());
                 &knots[within] + shift * &period
             })
             .collect();
