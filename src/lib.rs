@@ -1,3 +1,6 @@
 //! Exact spline geometry with certificates.
+pub mod certificate;
+pub mod check;
+pub mod claim;
 pub mod curve;
 pub mod number;

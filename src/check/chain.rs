@@ -1,14 +1,14 @@
 //! The checker's own chain: integer homogeneous control points and fields D, piece by piece.
 //!
-//! FORMAT §3. A B-spline becomes pieces by blossoming, straight from the definition; the prover uses knot insertion instead, so
-//! that the two do not share a mistake. Coordinates are stored in the narrowest of three widths that holds the piece. Planar
+//! FORMAT §3. A B-spline becomes pieces by blossoming, straight from the definition; `curve` inserts knots instead, and a test
+//! compares the two. Coordinates are stored in the narrowest of three widths that holds the piece. Planar
 //! curves get a third coordinate 0, which changes no dot product.
 
 use std::cmp::Ordering;
 
 use super::word::{Word, combine, dot, widening};
 use crate::curve::{BSpline, Bezier, Curve, Form};
-use crate::number::{Integer, Rational, RationalVector, binomial};
+use crate::number::{Integer, Rational, RationalVector};
 
 /// A positive integer `odd · 2^exponent`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -109,7 +109,7 @@ impl Chain {
         };
         match curve.form() {
             Form::Bezier(pieces) => {
-                let (count, size) = (pieces.len(), pieces.iter().map(|piece| 2 * piece.degree + 1).sum());
+                let (count, size) = (pieces.len(), pieces.iter().map(|piece| 2 * piece.degree() + 1).sum());
                 chain.pieces.reserve_exact(count);
                 chain.narrow.vectors.reserve(size);
                 for piece in pieces {
@@ -142,7 +142,7 @@ impl Chain {
         match weights {
             None => {
                 // The common case without big integers in between.
-                let narrow: Option<Vec<[i64; 3]>> = (0..=piece.degree)
+                let narrow: Option<Vec<[i64; 3]>> = (0..=piece.degree())
                     .map(|k| {
                         let axis = |i: usize| if i < dimension { numerators[k * dimension + i].to_i64() } else { Some(0) };
                         Some([axis(0)?, axis(1)?, axis(2)?])
@@ -151,7 +151,7 @@ impl Chain {
                 match narrow {
                     Some(points) => self.push_polynomial(&points, piece.points.denominator()),
                     None => {
-                        let points: Vec<[Integer; 3]> = (0..=piece.degree).map(|k| [axis(k, 0), axis(k, 1), axis(k, 2)]).collect();
+                        let points: Vec<[Integer; 3]> = (0..=piece.degree()).map(|k| [axis(k, 0), axis(k, 1), axis(k, 2)]).collect();
                         self.push_polynomial(&points, piece.points.denominator())
                     }
                 }
@@ -398,14 +398,14 @@ impl<W: Word> Storage<W> {
 fn rational_field_factors(degree: usize) -> (Vec<Vec<(usize, usize, Integer)>>, Integer) {
     let n = degree as u32;
     let top = 2 * n - 2;
-    let multiple = (0..=top).fold(Integer::from(1), |lcm, k| lcm.lcm(&binomial(top, k)));
+    let multiple = (0..=top).fold(Integer::from(1), |lcm, k| lcm.lcm(&Integer::binomial(top, k)));
     let factors = (0..=top)
         .map(|k| {
-            let share = multiple.div_exact(&binomial(top, k));
+            let share = multiple.div_exact(&Integer::binomial(top, k));
             ((k + 1).saturating_sub(n)..=k / 2)
                 .map(|i| {
                     let j = k - i + 1;
-                    let factor = Integer::from(k + 1 - 2 * i) * binomial(n, i) * binomial(n, j) * &share;
+                    let factor = Integer::from(k + 1 - 2 * i) * Integer::binomial(n, i) * Integer::binomial(n, j) * &share;
                     (i as usize, j as usize, factor)
                 })
                 .collect()
@@ -436,7 +436,7 @@ fn rational_field<W: Word>(points: &[[W; 3]], weights: &[W]) -> Option<Vec<[W; 3
 
 /// Homogeneous Bézier points (and weights) of every non-empty knot interval, by the blossom (FORMAT §3).
 fn blossom_pieces(spline: &BSpline, dimension: usize) -> Vec<(Vec<Rational>, Option<Vec<Rational>>)> {
-    let p = spline.degree;
+    let p = spline.degree();
     let knots: Vec<Rational> = spline.knots.iter().collect();
     let weights: Option<Vec<Rational>> = spline.weights.as_ref().map(|weights| weights.iter().collect());
     let stride = dimension + usize::from(weights.is_some());

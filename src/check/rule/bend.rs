@@ -20,10 +20,10 @@ pub fn check<W: Word>(context: &Context, a: &Node, b: Option<&Node>, factors: &[
         return Some(fails("α, β not both 0", "0 0".into()));
     }
     let (alpha, beta) = (W::from_integer(&factors[0])?, W::from_integer(&factors[1])?);
-    if alpha < W::zero() && a.contains_end(context.elements, Element::Start) {
+    if alpha < W::zero() && a.contains_end(&context.elements, Element::Start) {
         return Some(fails("α ≥ 0 at the end at 0", format!("α = {}", factors[0])));
     }
-    if beta < W::zero() && b.unwrap_or(a).contains_end(context.elements, Element::End) {
+    if beta < W::zero() && b.unwrap_or(a).contains_end(&context.elements, Element::End) {
         return Some(fails("β ≥ 0 at the end at M", format!("β = {}", factors[1])));
     }
     let tangents_a = Tangents::<W>::new(context, a)?;

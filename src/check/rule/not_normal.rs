@@ -20,7 +20,7 @@ pub fn check<W: Word>(context: &Context, a: &Node, b: &Node, factors: &[Integer;
         return Some(fails("α, β not both 0", "0 0".into()));
     }
     let (alpha, beta) = (W::from_integer(&factors[0])?, W::from_integer(&factors[1])?);
-    let has_end = |node: &Node| node.contains_end(context.elements, Element::Start) || node.contains_end(context.elements, Element::End);
+    let has_end = |node: &Node| node.contains_end(&context.elements, Element::Start) || node.contains_end(&context.elements, Element::End);
     if alpha > W::zero() && has_end(a) {
         return Some(fails("α ≤ 0 at an end of the curve", format!("α = {}", factors[0])));
     }

@@ -1,0 +1,70 @@
+//! Small vectors of binary64. Four components, so that a vector fills a register; the fourth is a weight or 0.
+
+/// (x, y, z, w).
+pub type Vector = [f64; 4];
+
+/// a + b.
+#[inline]
+pub fn add(a: &Vector, b: &Vector) -> Vector {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]]
+}
+
+/// a − b.
+#[inline]
+pub fn sub(a: &Vector, b: &Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]]
+}
+
+/// k·a.
+#[inline]
+pub fn scale(a: &Vector, k: f64) -> Vector {
+    [a[0] * k, a[1] * k, a[2] * k, a[3] * k]
+}
+
+/// (a + b)/2.
+#[inline]
+pub fn middle(a: &Vector, b: &Vector) -> Vector {
+    scale(&add(a, b), 0.5)
+}
+
+/// The dot product of the first three components.
+#[inline]
+pub fn dot(a: &Vector, b: &Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// |x| + |y| + |z|.
+#[inline]
+pub fn norm1(a: &Vector) -> f64 {
+    a[0].abs() + a[1].abs() + a[2].abs()
+}
+
+/// The greatest of |x|, |y|, |z|.
+#[inline]
+pub fn greatest(a: &Vector) -> f64 {
+    a[0].abs().max(a[1].abs()).max(a[2].abs())
+}
+
+/// a/|a|, or `None` for the zero vector.
+#[inline]
+pub fn unit(a: &Vector) -> Option<Vector> {
+    let square = dot(a, a);
+    (square > 0.0 && square.is_finite()).then(|| scale(a, 1.0 / square.sqrt()))
+}
+
+/// The integer vector nearest to a multiple of `a` whose greatest component is 2^bits − 1.
+pub fn quantised(a: &Vector, bits: u32) -> [i64; 3] {
+    let greatest = greatest(a);
+    if greatest.is_nan() || greatest <= 0.0 || greatest.is_infinite() {
+        return [0; 3];
+    }
+    // Divided first, so that neither tiny nor huge vectors leave the range.
+    let factor = ((1i64 << bits) - 1) as f64;
+    [0, 1, 2].map(|i| (a[i] / greatest * factor).round() as i64)
+}
+
+/// An integer vector as floats; exact below 2^53.
+#[inline]
+pub fn from_integers(n: &[i64; 3]) -> Vector {
+    [n[0] as f64, n[1] as f64, n[2] as f64, 0.0]
+}
