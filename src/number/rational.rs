@@ -138,6 +138,12 @@ pub(crate) fn quotient_to_f64(numerator: &Integer, denominator: &Integer) -> f64
     // Scale so that the quotient has 62 or 63 bits; the remainder only matters as "not zero".
     let scale = 62 - (numerator.bits() as i64 - denominator.bits() as i64);
     let shift = u32::try_from(scale.unsigned_abs()).unwrap_or(u32::MAX);
+    if let (Some(a), Some(b), 0..) = (numerator.to_i64(), denominator.to_i64(), scale) {
+        // Here |a| · 2^shift < 2^(62 + 63).
+        let (a, b) = (u128::from(a.unsigned_abs()) << shift, b as u128);
+        let sticky = u64::from(a % b != 0);
+        return with_sign(round_scaled((a / b) as u64 | sticky, -scale), negative);
+    }
     let magnitude = numerator.abs();
     let (quotient, remainder) = if scale >= 0 {
         (magnitude << shift).div_rem(denominator)

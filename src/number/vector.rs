@@ -72,7 +72,7 @@ impl RationalVector {
         }
     }
 
-    /// The numbers numerators[i] / denominator, reduced together; `None` when the denominator is not positive.
+    /// The numbers numerator / denominator for all numerators in order, reduced together; `None` when the denominator is not positive.
     pub fn from_parts(numerators: Vec<Integer>, denominator: Integer) -> Option<Self> {
         if !denominator.is_positive() {
             return None;
@@ -85,6 +85,7 @@ impl RationalVector {
         Some(vector)
     }
 
+    /// Divides the denominator and all numerators by their greatest common divisor.
     fn reduce(&mut self) {
         let (exponent, odd) = split(&self.denominator);
         let shift = self
@@ -92,22 +93,13 @@ impl RationalVector {
             .iter()
             .filter_map(Integer::trailing_zeros)
             .fold(u64::from(exponent), u64::min) as u32;
-        if shift > 0 {
-            self.denominator >>= shift;
-            self.numerators
-                .iter_mut()
-                .for_each(|numerator| *numerator >>= shift);
+        let divisor = OddDivisor::common(odd.unwrap_or(Integer::ONE), &self.numerators);
+        if shift == 0 && divisor.is_one() {
+            return;
         }
-        let Some(mut divisor) = odd else { return };
-        for numerator in &self.numerators {
-            divisor = divisor.gcd(&(numerator % &divisor));
-            if divisor.is_one() {
-                return;
-            }
-        }
-        self.denominator = self.denominator.div_exact(&divisor);
+        divisor.divide(&mut self.denominator, shift);
         for numerator in &mut self.numerators {
-            *numerator = numerator.div_exact(&divisor);
+            divisor.divide(numerator, shift);
         }
     }
 
@@ -152,6 +144,73 @@ impl RationalVector {
             .iter()
             .map(|numerator| quotient_to_f64(numerator, &self.denominator))
             .collect()
+    }
+}
+
+/// An odd positive integer that is divided by many times. Below 2^63 it comes with its inverse modulo 2^64, which turns
+/// an exact division into one multiplication and a test of divisibility into another.
+enum OddDivisor {
+    Small { value: u64, inverse: u64 },
+    Large(Integer),
+}
+
+impl OddDivisor {
+    fn new(value: Integer) -> Self {
+        let Some(value) = value.to_i64() else {
+            return OddDivisor::Large(value);
+        };
+        let value = value as u64;
+        // Newton's iteration doubles the correct low bits: 3 at the start, since v · v = 1 modulo 8, then 6, 12, 24, 48, 96.
+        let mut inverse = value;
+        for _ in 0..5 {
+            inverse = inverse.wrapping_mul(2_u64.wrapping_sub(value.wrapping_mul(inverse)));
+        }
+        OddDivisor::Small { value, inverse }
+    }
+
+    /// The greatest common divisor of an odd positive integer and the numerators.
+    fn common(odd: Integer, numerators: &[Integer]) -> Self {
+        let mut divisor = OddDivisor::new(odd);
+        for numerator in numerators {
+            if divisor.is_one() {
+                break;
+            }
+            if !divisor.divides(numerator) {
+                divisor = OddDivisor::new(divisor.value().gcd(numerator));
+            }
+        }
+        divisor
+    }
+
+    fn value(&self) -> Integer {
+        match self {
+            OddDivisor::Small { value, .. } => Integer::from(*value),
+            OddDivisor::Large(value) => value.clone(),
+        }
+    }
+
+    fn is_one(&self) -> bool {
+        matches!(self, OddDivisor::Small { value: 1, .. })
+    }
+
+    fn divides(&self, numerator: &Integer) -> bool {
+        match (self, numerator.to_i64()) {
+            // Multiplication by the inverse permutes the residues and takes the multiples k · value to k.
+            (OddDivisor::Small { value, inverse }, Some(numerator)) => {
+                numerator.unsigned_abs().wrapping_mul(*inverse) <= u64::MAX / value
+            }
+            _ => (numerator % self.value()).is_zero(),
+        }
+    }
+
+    /// number / (2^shift · self), known to leave no remainder.
+    fn divide(&self, number: &mut Integer, shift: u32) {
+        match (self, number.small_mut()) {
+            (OddDivisor::Small { inverse, .. }, Some(number)) => {
+                *number = (*number >> shift.min(63)).wrapping_mul(*inverse as i64);
+            }
+            _ => *number = (&*number >> shift).div_exact(&self.value()),
+        }
     }
 }
 

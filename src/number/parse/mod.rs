@@ -133,36 +133,62 @@ impl<'a> Cursor<'a> {
         })
     }
 
-    /// Passes digits with an optional point among them and an optional exponent, up to the end of the text: all digits
-    /// in a row, how many of them follow the point, and the exponent.
+    /// Passes digits with an optional point among them and an optional exponent, up to the end of the text.
     fn scientific(
         &mut self,
         is_digit: fn(&u8) -> bool,
         letters: &[u8],
-    ) -> Result<(String, i64, i64), NumberError> {
-        let mut digits = self.digits(is_digit).to_owned();
-        let mut after_point = 0;
-        if self.pass(b".").is_some() {
-            let fraction = self.digits(is_digit);
-            digits += fraction;
-            after_point = fraction.len() as i64;
-        }
-        if digits.is_empty() {
+    ) -> Result<Scientific<'a>, NumberError> {
+        let whole = self.digits(is_digit);
+        let fraction = if self.pass(b".").is_some() {
+            self.digits(is_digit)
+        } else {
+            ""
+        };
+        if whole.is_empty() && fraction.is_empty() {
             return Err(self.unexpected());
         }
         let exponent = self.exponent(letters)?;
         if self.rest().is_empty() {
-            Ok((digits, after_point, exponent))
+            Ok(Scientific {
+                whole,
+                fraction,
+                exponent,
+            })
         } else {
             Err(self.unexpected())
         }
     }
 }
 
+/// The digits before and after the point, at least one in all, and the written exponent.
+struct Scientific<'a> {
+    whole: &'a str,
+    fraction: &'a str,
+    exponent: i64,
+}
+
+impl Scientific<'_> {
+    fn digits(&self) -> impl DoubleEndedIterator<Item = u8> {
+        self.whole.bytes().chain(self.fraction.bytes())
+    }
+
+    /// The decimal digits in a row, as one integer.
+    fn decimal_digits(&self) -> Option<Integer> {
+        if self.whole.len() + self.fraction.len() <= 18 {
+            let value = self
+                .digits()
+                .fold(0, |value, digit| 10 * value + i64::from(digit - b'0'));
+            return Some(Integer::from(value));
+        }
+        Integer::from_digits(&format!("{}{}", self.whole, self.fraction))
+    }
+}
+
 fn hexadecimal(cursor: &mut Cursor) -> Result<Rational, NumberError> {
-    let (digits, after_point, exponent) = cursor.scientific(u8::is_ascii_hexdigit, b"pP")?;
-    let nibbles: Vec<u8> = digits
-        .bytes()
+    let scientific = cursor.scientific(u8::is_ascii_hexdigit, b"pP")?;
+    let nibbles: Vec<u8> = scientific
+        .digits()
         .rev()
         .filter_map(|digit| char::from(digit).to_digit(16))
         .map(|digit| digit as u8)
@@ -173,7 +199,7 @@ fn hexadecimal(cursor: &mut Cursor) -> Result<Rational, NumberError> {
         .collect();
     let numerator = Integer::from_magnitude_bytes_le(false, &bytes);
     // Both parts of the exponent are bounded by the limits above, far inside u32.
-    let exponent = exponent - 4 * after_point;
+    let exponent = scientific.exponent - 4 * scientific.fraction.len() as i64;
     let shift = exponent.unsigned_abs() as u32;
     Ok(if exponent >= 0 {
         Rational::from_integer(numerator << shift)
@@ -200,9 +226,11 @@ fn decimal_or_fraction(cursor: &mut Cursor, meaning: Meaning) -> Result<Rational
         }
         return Ok(Rational::new(numerator, denominator));
     }
-    let (digits, after_point, exponent) = cursor.scientific(u8::is_ascii_digit, b"eE")?;
-    let digits = Integer::from_digits(&digits).ok_or_else(|| cursor.unexpected())?;
-    let exponent = exponent - after_point;
+    let scientific = cursor.scientific(u8::is_ascii_digit, b"eE")?;
+    let digits = scientific
+        .decimal_digits()
+        .ok_or_else(|| cursor.unexpected())?;
+    let exponent = scientific.exponent - scientific.fraction.len() as i64;
     match meaning {
         Meaning::Decimal => Ok(decimal_value(digits, exponent)),
         Meaning::Binary64 => {
@@ -229,13 +257,13 @@ fn decimal_value(digits: Integer, exponent: i64) -> Rational {
     // 10^places = 2^places · 5^places: the two common divisors are found apart, the first without division.
     let twos = digits.trailing_zeros().unwrap_or(0).min(u64::from(places)) as u32;
     let power = Integer::from(5).pow(places);
-    let fives = digits.gcd(&power);
-    if fives.is_one() {
-        Rational::new_raw(digits >> twos, power << (places - twos))
-    } else {
-        Rational::new_raw(
-            (digits >> twos).div_exact(&fives),
-            power.div_exact(&fives) << (places - twos),
-        )
+    let numerator = digits >> twos;
+    if !(&numerator % Integer::from(5)).is_zero() {
+        return Rational::new_raw(numerator, power << (places - twos));
     }
+    let fives = numerator.gcd(&power);
+    Rational::new_raw(
+        numerator.div_exact(&fives),
+        power.div_exact(&fives) << (places - twos),
+    )
 }
