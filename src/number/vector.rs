@@ -72,7 +72,7 @@ impl RationalVector {
         }
     }
 
-    /// The numbers numerators[i] / denominator, reduced together; `None` when the denominator is not positive.
+    /// The numbers numerator / denominator for all numerators in order, reduced together; `None` when the denominator is not positive.
     pub fn from_parts(numerators: Vec<Integer>, denominator: Integer) -> Option<Self> {
         if !denominator.is_positive() {
             return None;
@@ -85,6 +85,7 @@ impl RationalVector {
         Some(vector)
     }
 
+    /// Divides the denominator and all numerators by their greatest common divisor.
     fn reduce(&mut self) {
         let (exponent, odd) = split(&self.denominator);
         let shift = self
@@ -92,22 +93,13 @@ impl RationalVector {
             .iter()
             .filter_map(Integer::trailing_zeros)
             .fold(u64::from(exponent), u64::min) as u32;
-        if shift > 0 {
-            self.denominator >>= shift;
-            self.numerators
-                .iter_mut()
-                .for_each(|numerator| *numerator >>= shift);
+        let divisor = OddDivisor::common(odd.unwrap_or(Integer::ONE), &self.numerators);
+        if shift == 0 && divisor.is_one() {
+            return;
         }
-        let Some(mut divisor) = odd else { return };
-        for numerator in &self.numerators {
-            divisor = divisor.gcd(&(numerator % &divisor));
-            if divisor.is_one() {
-                return;
-            }
-        }
-        self.denominator = self.denominator.div_exact(&divisor);
+        divisor.divide(&mut self.denominator, shift);
         for numerator in &mut self.numerators {
-            *numerator = numerator.div_exact(&divisor);
+            divisor.divide(numerator, shift);
         }
     }
 
@@ -155,6 +147,73 @@ impl RationalVector {
     }
 }
 
+/// An odd positive integer that is divided by many times. Below 2^63 it comes with its inverse modulo 2^64, which turns
+/// an exact division into one multiplication and a test of divisibility into another.
+enum OddDivisor {
+    Small { value: u64, inverse: u64 },
+    Large(Integer),
+}
+
+impl OddDivisor {
+    fn new(value: Integer) -> Self {
+        let Some(value) = value.to_i64() else {
+            return OddDivisor::Large(value);
+        };
+        let value = value as u64;
+        // Newton's iteration doubles the correct low bits: 3 at the start, since v · v = 1 modulo 8, then 6, 12, 24, 48, 96.
+        let mut inverse = value;
+        for _ in 0..5 {
+            inverse = inverse.wrapping_mul(2_u64.wrapping_sub(value.wrapping_mul(inverse)));
+        }
+        OddDivisor::Small { value, inverse }
+    }
+
+    /// The greatest common divisor of an odd positive integer and the numerators.
+    fn common(odd: Integer, numerators: &[Integer]) -> Self {
+        let mut divisor = OddDivisor::new(odd);
+        for numerator in numerators {
+            if divisor.is_one() {
+                break;
+            }
+            if !divisor.divides(numerator) {
+                divisor = OddDivisor::new(divisor.value().gcd(numerator));
+            }
+        }
+        divisor
+    }
+
+    fn value(&self) -> Integer {
+        match self {
+            OddDivisor::Small { value, .. } => Integer::from(*value),
+            OddDivisor::Large(value) => value.clone(),
+        }
+    }
+
+    fn is_one(&self) -> bool {
+        matches!(self, OddDivisor::Small { value: 1, .. })
+    }
+
+    fn divides(&self, numerator: &Integer) -> bool {
+        match (self, numerator.to_i64()) {
+            // Multiplication by the inverse permutes the residues and takes the multiples k · value to k.
+            (OddDivisor::Small { value, inverse }, Some(numerator)) => {
+                numerator.unsigned_abs().wrapping_mul(*inverse) <= u64::MAX / value
+            }
+            _ => (numerator % self.value()).is_zero(),
+        }
+    }
+
+    /// number / (2^shift · self), known to leave no remainder.
+    fn divide(&self, number: &mut Integer, shift: u32) {
+        match (self, number.small_mut()) {
+            (OddDivisor::Small { inverse, .. }, Some(number)) => {
+                *number = (*number >> shift.min(63)).wrapping_mul(*inverse as i64);
+            }
+            _ => *number = (&*number >> shift).div_exact(&self.value()),
+        }
+    }
+}
+
 /// Exponent k and odd part of the positive integer 2^k · odd; `None` for the odd part 1.
 fn split(denominator: &Integer) -> (u32, Option<Integer>) {
     // Memory bounds integers far below 2^(2^32).
@@ -163,5 +222,88 @@ fn split(denominator: &Integer) -> (u32, Option<Integer>) {
         (exponent, None)
     } else {
         (exponent, Some(denominator >> exponent))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::number::RationalExt;
+    use crate::number::generate::{integers, rationals};
+
+    fn is_canonical(vector: &RationalVector) -> bool {
+        let divisor = vector
+            .numerators()
+            .iter()
+            .fold(vector.denominator().clone(), |divisor, numerator| {
+                divisor.gcd(numerator)
+            });
+        vector.denominator().is_positive() && divisor.is_one()
+    }
+
+    #[test]
+    fn without_numbers_and_without_sense() {
+        let empty = RationalVector::from_rationals(&[]);
+        assert!(empty.is_empty());
+        assert_eq!(empty, RationalVector::default());
+        assert_eq!(
+            RationalVector::from_parts(vec![], Integer::from(12)),
+            Some(empty)
+        );
+        for denominator in [0, -1] {
+            let numerators = vec![Integer::ONE];
+            assert_eq!(
+                RationalVector::from_parts(numerators, Integer::from(denominator)),
+                None
+            );
+        }
+        let zeros = RationalVector::from_parts(vec![Integer::ZERO; 3], Integer::from(12)).unwrap();
+        assert_eq!(zeros.denominator(), &Integer::ONE);
+        assert_eq!(zeros.len(), 3);
+    }
+
+    #[test]
+    fn least_value_of_64_bits() {
+        let numerators = vec![Integer::from(i64::MIN), Integer::ONE << 64];
+        let vector = RationalVector::from_parts(numerators, Integer::ONE << 63).unwrap();
+        assert_eq!(vector.numerators(), [Integer::from(-1), Integer::from(2)]);
+        assert_eq!(vector.denominator(), &Integer::ONE);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(200))]
+
+        #[test]
+        fn keeps_the_numbers(numbers in prop::collection::vec(rationals(), 0..9)) {
+            let vector = RationalVector::from_rationals(&numbers);
+            prop_assert!(is_canonical(&vector));
+            prop_assert_eq!(vector.len(), numbers.len());
+            prop_assert_eq!(vector.iter().collect::<Vec<_>>(), numbers.clone());
+            for (i, number) in numbers.iter().enumerate() {
+                prop_assert_eq!(&vector.get(i), number);
+            }
+            let floats: Vec<f64> = numbers.iter().map(RationalExt::to_f64).collect();
+            prop_assert_eq!(vector.to_f64s(), floats);
+        }
+
+        #[test]
+        fn reduces_parts(
+            numerators in prop::collection::vec(integers(), 0..9),
+            denominator in prop_oneof![integers(), (1_i64..500).prop_map(Integer::from), (0_u32..90).prop_map(|bits| Integer::ONE << bits)],
+            factor in prop_oneof![integers(), (1_i64..500).prop_map(Integer::from), (0_u32..90).prop_map(|bits| Integer::ONE << bits)],
+        ) {
+            let one = |integer: Integer| if integer.is_zero() { Integer::ONE } else { integer.abs() };
+            let (denominator, factor) = (one(denominator), one(factor));
+            let numbers: Vec<Rational> = numerators
+                .iter()
+                .map(|numerator| Rational::new(numerator.clone(), denominator.clone()))
+                .collect();
+            let multiples = numerators.iter().map(|numerator| numerator * &factor).collect();
+            let vector = RationalVector::from_parts(multiples, denominator * factor).unwrap();
+            prop_assert!(is_canonical(&vector));
+            prop_assert_eq!(vector, RationalVector::from_rationals(&numbers));
+        }
     }
 }

@@ -80,6 +80,14 @@ impl Integer {
         }
     }
 
+    /// The value, to be changed in place, when it fits in 64 bits.
+    pub(crate) fn small_mut(&mut self) -> Option<&mut i64> {
+        match &mut self.0 {
+            Small(value) => Some(value),
+            Large(_) => None,
+        }
+    }
+
     /// The value in the backend's representation, whatever its size.
     fn to_backend(&self) -> Backend {
         match &self.0 {
