@@ -9,7 +9,12 @@ use crate::curve::data::joins;
 use crate::curve::{
     BSpline, Bezier, Curve, CurveError, CurveFault, Form, MAXIMUM_BITS, MAXIMUM_PIECES,
 };
-use crate::number::{Integer, Meaning, NumberError, Rational, RationalVector, parse_number};
+use crate::number::{
+    Integer, MAXIMUM_LENGTH, Meaning, Rational, RationalExt, RationalVector, parse_number,
+};
+
+/// The longest canonical fraction whose numerator and denominator have [`MAXIMUM_BITS`], 19,729 digits each.
+const MAXIMUM_CANONICAL_LENGTH: usize = 2 * 19_729 + 2;
 
 pub(super) fn convert(
     document: Document<'_>,
@@ -156,19 +161,28 @@ impl Numbers {
 
     fn number(&self, raw: &RawValue) -> Result<Rational, ReadFault> {
         let text = raw.get();
-        let refused = |error: NumberError| ReadFault::Number(error);
         match text.as_bytes().first() {
             Some(b'"') if text.contains('\\') => {
                 let plain: String =
                     serde_json::from_str(text).map_err(|_| not_a_number("a broken string"))?;
-                parse_number(&plain, self.meaning).map_err(refused)
+                self.parse(&plain)
             }
-            Some(b'"') => parse_number(&text[1..text.len() - 1], self.meaning).map_err(refused),
+            Some(b'"') => self.parse(&text[1..text.len() - 1]),
             Some(b'[') => Err(not_a_number("a list")),
             Some(b'{') => Err(not_a_number("an object")),
             Some(b't' | b'f' | b'n') => Err(not_a_number(text)),
-            _ => parse_number(text, self.meaning).map_err(refused),
+            _ => self.parse(text),
         }
+    }
+
+    fn parse(&self, text: &str) -> Result<Rational, ReadFault> {
+        // What the writer writes may be longer than what people may.
+        if (MAXIMUM_LENGTH + 1..=MAXIMUM_CANONICAL_LENGTH).contains(&text.len())
+            && let Ok(number) = Rational::parse_canonical(text)
+        {
+            return Ok(number);
+        }
+        parse_number(text, self.meaning).map_err(ReadFault::Number)
     }
 }
 

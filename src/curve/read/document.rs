@@ -150,7 +150,9 @@ fn locate(json: &str) -> ReadError {
     match result {
         Err(error) => {
             let path = error.path().to_string();
-            read_error(path.trim_matches('.').to_string(), &error.into_inner())
+            // Before the first value and after a broken one there is no path to tell.
+            let path = path.trim_end_matches('?').trim_matches('.');
+            read_error(path.to_string(), &error.into_inner())
         }
         Ok(_) => {
             let error = deserializer.end().err();
