@@ -19,7 +19,9 @@ mod insert;
 mod joint;
 mod operation;
 mod periodic;
+mod read;
 mod split;
+mod write;
 
 pub use bezier::Bezier;
 pub use bspline::BSpline;
@@ -30,6 +32,11 @@ pub use evaluate::{Side, bernstein};
 pub use hodograph::Hodograph;
 pub use joint::Joint;
 pub use operation::OperationError;
+pub use read::{
+    CurveFile, MAXIMUM_TOTAL_BITS, Position, ReadError, ReadFault, ReadOptions, VERSION,
+    read_curve, read_curve_with,
+};
+pub use write::write_curve;
 
 /// The highest degree accepted.
 pub const MAXIMUM_DEGREE: usize = 64;
