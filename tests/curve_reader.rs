@@ -172,11 +172,7 @@ fn documents_of_another_shape_are_refused() {
     is("{\"bezier\":{\"pieces\":[]}}", "", missing);
     is(&document("\"bspline\":{\"degree\":3}"), "bspline", missing);
     is(&document("\"bezier\":{}"), "bezier", missing);
-    is(
-        &document("\"name\":\"a\",\"name\":\"b\""),
-        "",
-        duplicate,
-    );
+    is(&document("\"name\":\"a\",\"name\":\"b\""), "", duplicate);
     is("[]", "", wrong);
     is("3", "", wrong);
     is(&cubic("-1", KNOTS, POINTS, ""), "bspline.degree", wrong);
