@@ -4,3 +4,5 @@ pub mod check;
 pub mod claim;
 pub mod curve;
 pub mod number;
+#[cfg(feature = "prove")]
+pub mod prove;

@@ -1,0 +1,15 @@
+//! Finding evidence. Nothing here is trusted: what it finds is written down and replayed by the checker.
+
+mod cone;
+mod cover;
+mod exact;
+mod float_chain;
+mod half_plane;
+mod leaf;
+pub mod msd;
+mod newton;
+mod node;
+mod seeds;
+mod tree;
+mod upper;
+mod vector;

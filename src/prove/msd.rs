@@ -1,0 +1,381 @@
+//! Certifying the minimum separation distance: bounds from above, then a tree from below, then the certificate.
+
+use std::io::{self, Read, Seek, SeekFrom, Write};
+
+use tempfile::SpooledTempFile;
+
+use super::cover::{Event, Goal, Stuck};
+use super::float_chain::FloatChain;
+use super::node::run_cones;
+use super::seeds;
+use super::tree::{Curve as SearchCurve, Failure, search};
+use super::upper::{Bounds, UpperBound};
+use crate::certificate::{Document, Encoding, write};
+use crate::check::chain::Chain;
+use crate::check::cover::Context;
+use crate::check::{Verdict, check};
+use crate::claim::msd::{Convention, Evidence, Lower, Statement};
+use crate::curve::Curve;
+use crate::number::{Integer, Rational, RationalExt, simplest_between};
+
+/// What to certify, and how hard to try.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Which chords count at corners and ends.
+    pub convention: Convention,
+    /// How far apart the bounds of σ may be, relative to the upper one; above 0 and below 1.
+    pub relative_width: Rational,
+    /// How many leaves the tree may have; `None` for 2,000,000 and 64 for each piece.
+    pub budget: Option<u64>,
+    /// A name to put into the certificate.
+    pub name: Option<String>,
+    /// How many joints the reader moved together.
+    pub snapped_joints: Option<u64>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            convention: Convention::Smooth,
+            relative_width: Rational::new(1.into(), Integer::from(10).pow(12)),
+            budget: None,
+            name: None,
+            snapped_joints: None,
+        }
+    }
+}
+
+/// How far the proof went.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// The bounds are as near as asked, or there is certainly no double normal, or σ is certainly 0.
+    Certified,
+    /// They are not; with the reason in words.
+    Undecided(String),
+}
+
+/// A certificate and what it says.
+pub struct Certified {
+    /// How far the proof went.
+    pub status: Status,
+    /// The document; what it states is proved whatever the status.
+    pub document: Document,
+    /// Leaves of its tree.
+    pub leaves: u64,
+    /// The parameters of the shortest double normal found, piece number and local parameter added.
+    pub at: Option<[Rational; 2]>,
+    tree: SpooledTempFile,
+}
+
+/// Why no certificate was written.
+#[derive(Debug)]
+pub enum CertifyError {
+    /// Writing failed.
+    Io(io::Error),
+    /// The checker did not accept what the search found; nothing was written. This is an error of this program.
+    Refuted(String),
+}
+
+impl std::fmt::Display for CertifyError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            CertifyError::Io(error) => write!(f, "writing failed: {error}"),
+            CertifyError::Refuted(why) => write!(f, "the checker refuses the evidence found, nothing was written ({why})"),
+        }
+    }
+}
+
+impl std::error::Error for CertifyError {}
+
+impl From<io::Error> for CertifyError {
+    fn from(error: io::Error) -> Self {
+        CertifyError::Io(error)
+    }
+}
+
+/// Trees up to this size stay in memory.
+const IN_MEMORY: usize = 1 << 26;
+
+/// The program that writes certificates.
+const TOOL: &str = concat!("knotproof ", env!("CARGO_PKG_VERSION"));
+
+impl Certified {
+    /// Writes the certificate.
+    ///
+    /// # Errors
+    /// Those of `out` and of the temporary file that holds a large tree.
+    pub fn write(&mut self, encoding: Encoding, out: &mut impl Write) -> io::Result<()> {
+        self.tree.seek(SeekFrom::Start(0))?;
+        write(&self.document, &mut self.tree, encoding, out)
+    }
+
+    /// Writes the certificate to `file`, reads it back and lets the checker replay it. Only `Ok` means that the file is a proof.
+    ///
+    /// # Errors
+    /// [`CertifyError::Refuted`] when the checker does not accept the file, which must then be thrown away.
+    pub fn write_checked<F: Read + Write + Seek>(&mut self, encoding: Encoding, file: &mut F) -> Result<(), CertifyError> {
+        {
+            let mut out = io::BufWriter::with_capacity(1 << 16, &mut *file);
+            self.write(encoding, &mut out)?;
+            out.flush()?;
+        }
+        file.seek(SeekFrom::Start(0))?;
+        match check(&mut *file) {
+            Verdict::Accepted { document, .. } if document.statement == self.document.statement => Ok(()),
+            Verdict::Accepted { .. } => Err(CertifyError::Refuted("another statement was read back".into())),
+            Verdict::Malformed(error) => Err(CertifyError::Refuted(error.to_string())),
+            Verdict::Rejected { rejection, .. } => Err(CertifyError::Refuted(rejection.to_string())),
+        }
+    }
+}
+
+/// Certifies the minimum separation distance of a curve. `progress` is called with the part of the present search that is done.
+///
+/// # Errors
+/// Those of the temporary file that holds a large tree.
+pub fn certify(curve: &Curve, options: &Options, progress: &dyn Fn(f64)) -> Result<Certified, CertifyError> {
+    let document = Document {
+        tool: TOOL.into(),
+        name: options.name.clone(),
+        snapped_joints: options.snapped_joints,
+        curve: curve.clone(),
+        statement: Statement {
+            convention: options.convention,
+            lower_squared: Lower::Finite(Rational::from_integer(0.into())),
+            upper_squared: None,
+        },
+        evidence: Evidence { grid: 0, upper: None },
+        has_tree: false,
+    };
+    let nothing = |status| Certified { status, document: document.clone(), leaves: 0, at: None, tree: SpooledTempFile::new(IN_MEMORY) };
+    let chain = match Chain::new(curve) {
+        Ok(chain) => chain,
+        Err(piece) => {
+            let why = format!("piece {piece} is a single point, so the curve has no tangent there");
+            return Ok(nothing(Status::Undecided(why)));
+        }
+    };
+    let floats = FloatChain::new(&chain);
+    let grid = grid(&floats);
+    let context = Context::new(&chain, options.convention, grid);
+    let run_cones = run_cones(&context, &floats);
+    let bounds = Bounds { chain: &chain, floats: &floats, convention: options.convention };
+    let search_curve = SearchCurve { context: &context, floats: &floats, run_cones: &run_cones };
+    let mut work = Work { options, curve: search_curve, bounds, progress, upper: None, notes: Vec::new() };
+    let found = work.run()?;
+    let mut certified = nothing(found.status);
+    certified.document.statement.lower_squared = found.lower;
+    certified.document.evidence.grid = grid;
+    if let Some(upper) = found.upper {
+        certified.document.statement.upper_squared = Some(upper.squared);
+        certified.document.evidence.upper = Some(upper.rule);
+        certified.at = Some(upper.at);
+    }
+    if let Some((tree, leaves)) = found.tree {
+        certified.tree = tree;
+        certified.leaves = leaves;
+        certified.document.has_tree = true;
+    }
+    Ok(certified)
+}
+
+/// A grid on which boxes of runs are rounded by a small part of a piece's size, without needless bits.
+fn grid(floats: &FloatChain) -> u32 {
+    let mut size = 0.0;
+    let mut reach = 0.0f64;
+    for piece in 0..floats.pieces.len() {
+        let points = floats.points(piece);
+        let (p, q) = (points[0], points[points.len() - 1]);
+        let weight = p[3].min(q[3]);
+        size += (0..3).map(|i| (p[i] / p[3] - q[i] / q[3]).abs()).fold(floats.pieces[piece].greatest_tangent / weight.max(1.0), f64::max);
+        reach = reach.max(floats.pieces[piece].greatest_point / weight);
+    }
+    let mean = size / floats.pieces.len() as f64;
+    let fine = (200.0 / mean).log2().ceil();
+    let room = (2f64.powi(40) / reach).log2().floor();
+    let exponent = fine.min(room);
+    if exponent.is_nan() { 0 } else { exponent.clamp(0.0, 4000.0) as u32 }
+}
+
+/// What a search has found.
+struct Found {
+    status: Status,
+    lower: Lower,
+    upper: Option<UpperBound>,
+    tree: Option<(SpooledTempFile, u64)>,
+}
+
+struct Work<'w> {
+    options: &'w Options,
+    curve: SearchCurve<'w>,
+    bounds: Bounds<'w>,
+    progress: &'w dyn Fn(f64),
+    upper: Option<UpperBound>,
+    notes: Vec<String>,
+}
+
+/// What one attempt at a lower bound came to.
+enum Attempt {
+    Proved(SpooledTempFile, u64),
+    Event(Event),
+}
+
+impl Work<'_> {
+    fn budget(&self) -> u64 {
+        let pieces = self.curve.context.chain.len() as u64;
+        self.options.budget.unwrap_or(2_000_000 + 64 * pieces)
+    }
+
+    fn run(&mut self) -> Result<Found, CertifyError> {
+        let steps = 10_000 + 400 * self.curve.context.elements.len() as u64;
+        let candidates = seeds::candidates(&mut self.curve.nodes(), steps.min(self.budget().saturating_mul(40).max(10_000)));
+        // Without evidence for it, a candidate still says what lower bound to try.
+        let mut unproved: Option<f64> = None;
+        for candidate in &candidates {
+            if let Some(upper) = self.bounds.prove(candidate, &self.options.relative_width) {
+                self.upper = Some(upper);
+                break;
+            }
+            unproved = unproved.or(Some(candidate.squared));
+        }
+        for _ in 0..64 {
+            let zero = self.upper.as_ref().is_some_and(|upper| upper.squared.numer().is_zero());
+            if zero {
+                return Ok(self.found(Status::Certified, zero_lower(), None));
+            }
+            let lower = match (&self.upper, unproved) {
+                (Some(upper), None) => Lower::Finite(below(&upper.squared, &self.options.relative_width)),
+                (_, Some(squared)) => match Rational::from_f64(squared) {
+                    Some(squared) => Lower::Finite(below(&squared, &self.options.relative_width)),
+                    None => zero_lower(),
+                },
+                (None, None) => Lower::Infinite,
+            };
+            match self.attempt(&lower, self.budget())? {
+                Attempt::Proved(tree, leaves) => {
+                    let status = match (&lower, &self.upper, unproved) {
+                        (Lower::Infinite, _, _) | (_, Some(_), None) => Status::Certified,
+                        _ => Status::Undecided(self.why("no double normal could be proved to exist")),
+                    };
+                    return Ok(self.found(status, lower, Some((tree, leaves))));
+                }
+                Attempt::Event(Event::Shorter(candidate)) => {
+                    match self.bounds.prove(&candidate, &self.options.relative_width) {
+                        Some(upper) if self.upper.as_ref().is_none_or(|known| upper.squared < known.squared) => {
+                            self.upper = Some(upper);
+                            unproved = None;
+                        }
+                        _ if unproved.is_none_or(|known| candidate.squared < known * (1.0 - 1e-15)) => {
+                            unproved = Some(candidate.squared);
+                        }
+                        _ => return self.ladder("a shorter double normal may exist that could not be isolated"),
+                    }
+                }
+                Attempt::Event(Event::Stuck(stuck)) => {
+                    if let Some(found) = self.crossing(&stuck) {
+                        self.upper = Some(found);
+                        unproved = None;
+                        continue;
+                    }
+                    let why = self.describe(&stuck);
+                    return self.ladder(&why);
+                }
+                Attempt::Event(Event::Budget) => {
+                    let why = format!("the budget of {} leaves ran out", self.budget());
+                    return self.ladder(&why);
+                }
+            }
+        }
+        self.ladder("the search found ever shorter double normals")
+    }
+
+    fn why(&self, reason: &str) -> String {
+        let mut why = reason.to_string();
+        for note in &self.notes {
+            why.push_str("; ");
+            why.push_str(note);
+        }
+        why
+    }
+
+    fn found(&mut self, status: Status, lower: Lower, tree: Option<(SpooledTempFile, u64)>) -> Found {
+        Found { status, lower, upper: self.upper.take(), tree }
+    }
+
+    fn attempt(&self, lower: &Lower, budget: u64) -> Result<Attempt, CertifyError> {
+        let length = match lower {
+            Lower::Infinite => f64::INFINITY,
+            Lower::Finite(squared) => squared.to_f64().sqrt() * (1.0 + 4.0 * f64::EPSILON),
+        };
+        let halvings = 30.0 - 0.75 * self.options.relative_width.to_f64().log2();
+        let goal = Goal { lower: lower.clone(), length, max_depth: halvings.clamp(40.0, 118.0) as u32, budget };
+        let mut tree = SpooledTempFile::new(IN_MEMORY);
+        match search(&self.curve, &goal, &mut tree, self.progress) {
+            Ok(leaves) => Ok(Attempt::Proved(tree, leaves)),
+            Err(Failure::Event(event)) => Ok(Attempt::Event(event)),
+            Err(Failure::Io(error)) => Err(error.into()),
+        }
+    }
+
+    /// A double point near a pair that nothing separates.
+    fn crossing(&self, stuck: &Stuck) -> Option<UpperBound> {
+        if stuck.adjacent { None } else { self.bounds.crossing(stuck.s, stuck.t) }
+    }
+
+    fn describe(&self, stuck: &Stuck) -> String {
+        let at = |(piece, u): (usize, f64)| format!("piece {piece} at local parameter {u:.12}");
+        if stuck.adjacent {
+            format!("the derivative vanishes or turns back near {}", at(stuck.s))
+        } else {
+            format!("{} and {} are {:.3e} apart and could not be told from a double normal or a double point", at(stuck.s), at(stuck.t), stuck.distance)
+        }
+    }
+
+    /// Lower bounds in growing order, as far as they can be proved.
+    fn ladder(&mut self, why: &str) -> Result<Found, CertifyError> {
+        let status = Status::Undecided(self.why(why));
+        let best = self.upper.as_ref().map(|upper| upper.squared.clone());
+        let reach: f64 = {
+            let nodes = &mut self.curve.nodes();
+            let whole = nodes.whole();
+            whole.diagonal_squared()
+        };
+        let Some(start) = best.or_else(|| Rational::from_f64(reach)) else {
+            return Ok(self.found(status, zero_lower(), None));
+        };
+        let mut proved: Option<(Lower, SpooledTempFile, u64)> = None;
+        // Fractions of the upper bound: 2^-40, 2^-20, …, 1/2, and then 1 − 10^-k.
+        let coarse = [40u32, 30, 20, 14, 10, 7, 5, 3, 2, 1].map(|bits| Rational::new(1.into(), Integer::from(1) << bits));
+        let fine = (1..=30u32).map(|k| {
+            let width = Rational::new(1.into(), Integer::from(10).pow(k));
+            Rational::from_integer(1.into()) - width
+        });
+        for fraction in coarse.into_iter().chain(fine) {
+            if Rational::from_integer(1.into()) - &fraction <= self.options.relative_width {
+                break;
+            }
+            let exact = &start * &fraction * &fraction;
+            let lower = Lower::Finite(simplest_between(&exact, &(&exact * Rational::new(1001.into(), 1000.into())).min(start.clone())));
+            match self.attempt(&lower, self.budget())? {
+                Attempt::Proved(tree, leaves) => proved = Some((lower, tree, leaves)),
+                Attempt::Event(_) => break,
+            }
+        }
+        Ok(match proved {
+            Some((lower, tree, leaves)) => self.found(status, lower, Some((tree, leaves))),
+            None => self.found(status, zero_lower(), None),
+        })
+    }
+}
+
+fn zero_lower() -> Lower {
+    Lower::Finite(Rational::from_integer(0.into()))
+}
+
+/// A fraction of few bits between (1−w)²x and (1−0.95w)²x.
+fn below(squared: &Rational, relative_width: &Rational) -> Rational {
+    let one = Rational::from_integer(1.into());
+    let factor = |width: &Rational| (&one - width) * (&one - width);
+    let nearer = relative_width * Rational::new(19.into(), 20.into());
+    simplest_between(&(squared * factor(relative_width)), &(squared * factor(&nearer)))
+}

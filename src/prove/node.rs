@@ -1,0 +1,365 @@
+//! Nodes of the search in binary64, and how they are split.
+
+use super::cone::Cone;
+use super::float_chain::{FloatChain, UNIT};
+use super::vector::{Vector, dot, middle, sub};
+use crate::check::cover::Context;
+use crate::check::element::{Element, Node as ExactNode, corner_pieces, point_location};
+use crate::check::part::Part as ExactPart;
+
+/// What a node is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Elements `first … last−1`; `number` is the run's number.
+    Run {
+        /// Number of the run.
+        number: usize,
+        /// First element.
+        first: usize,
+        /// One past the last.
+        last: usize,
+    },
+    /// A corner or an end.
+    Point(Element),
+    /// Part `index` of 2^`depth` of a piece.
+    Part {
+        /// The piece.
+        piece: usize,
+        /// Its number.
+        index: u128,
+        /// How often it was halved.
+        depth: u32,
+    },
+}
+
+/// A stretch of the arena.
+#[derive(Clone, Copy, Debug)]
+pub struct Stretch {
+    start: usize,
+    end: usize,
+}
+
+/// A node with its geometry.
+#[derive(Clone, Copy, Debug)]
+pub struct Node {
+    /// What it is.
+    pub kind: Kind,
+    /// Least coordinates of its hull.
+    pub low: Vector,
+    /// Greatest coordinates of its hull.
+    pub high: Vector,
+    /// Error bound of hull coordinates.
+    pub error: f64,
+    /// Error bound of tangent components.
+    pub tangent_error: f64,
+    /// Is an end of the curve in it?
+    pub has_end: bool,
+    coefficients: Stretch,
+    hull: Stretch,
+    tangents: Stretch,
+}
+
+impl Node {
+    /// Is it a run?
+    pub fn is_run(&self) -> bool {
+        matches!(self.kind, Kind::Run { .. })
+    }
+
+    /// Is it a corner or an end?
+    pub fn is_point(&self) -> bool {
+        matches!(self.kind, Kind::Point(_))
+    }
+
+    /// How often its piece was halved, 0 for other nodes.
+    pub fn depth(&self) -> u32 {
+        if let Kind::Part { depth, .. } = self.kind { depth } else { 0 }
+    }
+
+    /// The diagonal of its box, squared.
+    pub fn diagonal_squared(&self) -> f64 {
+        let d = sub(&self.high, &self.low);
+        dot(&d, &d)
+    }
+
+    /// The middle of its parameter range, if it is on one piece.
+    pub fn middle(&self) -> Option<(usize, f64)> {
+        match self.kind {
+            Kind::Part { piece, index, depth } => Some((piece, (index as f64 + 0.5) / 2f64.powi(depth as i32))),
+            _ => None,
+        }
+    }
+}
+
+/// Curve data for the search and a stack of coefficients.
+pub struct Nodes<'s> {
+    /// The exact curve.
+    pub context: &'s Context<'s>,
+    /// The curve in floats.
+    pub floats: &'s FloatChain,
+    /// Cones of runs.
+    pub run_cones: &'s [Cone],
+    /// 2^-grid.
+    pub grid_unit: f64,
+    arena: Vec<Vector>,
+}
+
+/// The cones of all runs, numbered as the boxes are.
+pub fn run_cones(context: &Context, floats: &FloatChain) -> Vec<Cone> {
+    fn fill(context: &Context, floats: &FloatChain, first: usize, last: usize, cones: &mut Vec<Cone>) -> Cone {
+        if last - first == 1 {
+            return match context.elements.get(first) {
+                Element::Piece(piece) => floats.pieces[piece].cone,
+                point => Cone::around(&point_tangents(context, floats, point)),
+            };
+        }
+        let number = cones.len();
+        cones.push(Cone::FULL);
+        let middle = (first + last) / 2;
+        let left = fill(context, floats, first, middle, cones);
+        let right = fill(context, floats, middle, last, cones);
+        cones[number] = left.merged(&right);
+        cones[number]
+    }
+    let mut cones = Vec::with_capacity(context.elements.len());
+    fill(context, floats, 0, context.elements.len(), &mut cones);
+    cones
+}
+
+/// The tangents of a corner or an end: the first or last non-zero coefficients of the pieces there.
+fn point_tangents(context: &Context, floats: &FloatChain, element: Element) -> Vec<Vector> {
+    let chain = context.chain;
+    let outgoing = |piece: usize| floats.tangents(piece).iter().find(|v| dot(v, v) > 0.0).copied();
+    let incoming = |piece: usize| floats.tangents(piece).iter().rfind(|v| dot(v, v) > 0.0).copied();
+    let found = match element {
+        Element::Piece(_) => unreachable!("a piece is not a point element"),
+        Element::Start => [outgoing(0), None],
+        Element::End => [incoming(chain.len() - 1), None],
+        Element::Corner(joint) => {
+            let (before, after) = corner_pieces(chain, joint);
+            [incoming(before), outgoing(after)]
+        }
+    };
+    found.into_iter().flatten().collect()
+}
+
+impl<'s> Nodes<'s> {
+    /// An empty stack.
+    pub fn new(context: &'s Context<'s>, floats: &'s FloatChain, run_cones: &'s [Cone]) -> Self {
+        let grid_unit = 2f64.powi(-(context.grid_scale.exponent.min(1000) as i32));
+        Nodes { context, floats, run_cones, grid_unit, arena: Vec::new() }
+    }
+
+    /// The height of the stack, to return to.
+    pub fn mark(&self) -> usize {
+        self.arena.len()
+    }
+
+    /// Forgets everything above a mark.
+    pub fn release(&mut self, mark: usize) {
+        self.arena.truncate(mark);
+    }
+
+    /// The node of all elements.
+    pub fn whole(&mut self) -> Node {
+        self.of_elements(0, 0, self.context.elements.len())
+    }
+
+    /// The node of the elements `first … last−1`, which is run `number` if there are at least two.
+    pub fn of_elements(&mut self, number: usize, first: usize, last: usize) -> Node {
+        if last - first >= 2 {
+            let elements = &self.context.elements;
+            let [low, high] = self.run_box(number);
+            let none = Stretch { start: 0, end: 0 };
+            let is_end = |i: usize| matches!(elements.get(i), Element::Start | Element::End);
+            return Node {
+                kind: Kind::Run { number, first, last },
+                low,
+                high,
+                error: 0.0,
+                tangent_error: 0.0,
+                has_end: is_end(first) || is_end(last - 1),
+                coefficients: none,
+                hull: none,
+                tangents: none,
+            };
+        }
+        match self.context.elements.get(first) {
+            Element::Piece(piece) => {
+                let start = self.arena.len();
+                self.arena.extend_from_slice(self.floats.points(piece));
+                let middle = self.arena.len();
+                self.arena.extend_from_slice(self.floats.tangents(piece));
+                self.part(piece, 0, 0, Stretch { start, end: middle }, Stretch { start: middle, end: self.arena.len() })
+            }
+            point => self.point(point),
+        }
+    }
+
+    /// The box of a run in floats: exact up to 2^53 grid units, rounded outward beyond.
+    fn run_box(&self, number: usize) -> [Vector; 2] {
+        let outward = |x: &i64, up: bool| {
+            let nearest = *x as f64;
+            let slack = if x.unsigned_abs() >> 53 == 0 { 0.0 } else { nearest.abs() * UNIT };
+            (if up { nearest + slack } else { nearest - slack }) * self.grid_unit
+        };
+        match &self.context.boxes {
+            crate::check::boxes::Boxes::Narrow(boxes) => {
+                let [low, high] = &boxes[number];
+                let vector = |v: &[i64; 3], up| [outward(&v[0], up), outward(&v[1], up), outward(&v[2], up), 0.0];
+                [vector(low, false), vector(high, true)]
+            }
+            crate::check::boxes::Boxes::Large(boxes) => {
+                let [low, high] = &boxes[number];
+                let scale = &self.context.grid_scale;
+                let wide = |x: f64, up: bool| if up { x + x.abs() * 8.0 * UNIT } else { x - x.abs() * 8.0 * UNIT };
+                let vector = |v: &[crate::number::Integer; 3], up| {
+                    let [x, y, z] = [0, 1, 2].map(|i| wide(super::float_chain::quotient(&v[i], scale), up));
+                    [x, y, z, 0.0]
+                };
+                [vector(low, false), vector(high, true)]
+            }
+        }
+    }
+
+    fn point(&mut self, element: Element) -> Node {
+        let (piece, end) = point_location(self.context.chain, element);
+        let points = self.floats.points(piece);
+        let homogeneous = if end { points[points.len() - 1] } else { points[0] };
+        let point = super::vector::scale(&homogeneous, 1.0 / homogeneous[3]);
+        let (error, weight_error, _) = self.floats.errors(piece, 0);
+        let error = affine_error(error, weight_error, homogeneous[3], super::vector::greatest(&point));
+        let tangents = point_tangents(self.context, self.floats, element);
+        let tangent_error = match element {
+            Element::Corner(joint) => {
+                let (before, after) = corner_pieces(self.context.chain, joint);
+                self.floats.errors(before, 0).2.max(self.floats.errors(after, 0).2)
+            }
+            _ => self.floats.errors(piece, 0).2,
+        };
+        let start = self.arena.len();
+        self.arena.push(point);
+        let middle = self.arena.len();
+        self.arena.extend(tangents);
+        Node {
+            kind: Kind::Point(element),
+            low: point,
+            high: point,
+            error,
+            tangent_error,
+            has_end: !matches!(element, Element::Corner(_)),
+            coefficients: Stretch { start, end: middle },
+            hull: Stretch { start, end: middle },
+            tangents: Stretch { start: middle, end: self.arena.len() },
+        }
+    }
+
+    fn part(&mut self, piece: usize, index: u128, depth: u32, coefficients: Stretch, tangents: Stretch) -> Node {
+        let (mut error, weight_error, tangent_error) = self.floats.errors(piece, depth);
+        let mut hull = coefficients;
+        if self.floats.pieces[piece].rational {
+            let start = self.arena.len();
+            let (mut least_weight, mut greatest) = (f64::INFINITY, 0.0f64);
+            for k in coefficients.start..coefficients.end {
+                let homogeneous = self.arena[k];
+                let point = super::vector::scale(&homogeneous, 1.0 / homogeneous[3]);
+                least_weight = least_weight.min(homogeneous[3]);
+                greatest = greatest.max(super::vector::greatest(&point));
+                self.arena.push(point);
+            }
+            hull = Stretch { start, end: self.arena.len() };
+            error = affine_error(error, weight_error, least_weight, greatest);
+        }
+        let points = &self.arena[hull.start..hull.end];
+        let (mut low, mut high) = (points[0], points[0]);
+        for point in &points[1..] {
+            for axis in 0..3 {
+                low[axis] = low[axis].min(point[axis]);
+                high[axis] = high[axis].max(point[axis]);
+            }
+        }
+        let kind = Kind::Part { piece, index, depth };
+        Node { kind, low, high, error, tangent_error, has_end: false, coefficients, hull, tangents }
+    }
+
+    /// The two halves of a node; `None` for a corner or an end.
+    pub fn halves(&mut self, node: &Node) -> Option<(Node, Node)> {
+        match node.kind {
+            Kind::Run { number, first, last } => {
+                let middle = (first + last) / 2;
+                let left = self.of_elements(crate::check::boxes::Boxes::left(number), first, middle);
+                let right = self.of_elements(crate::check::boxes::Boxes::right(number, middle - first), middle, last);
+                Some((left, right))
+            }
+            Kind::Point(_) => None,
+            Kind::Part { piece, index, depth } => {
+                let (left_points, right_points) = self.halve(node.coefficients);
+                let (left_tangents, right_tangents) = self.halve(node.tangents);
+                let left = self.part(piece, 2 * index, depth + 1, left_points, left_tangents);
+                let right = self.part(piece, 2 * index + 1, depth + 1, right_points, right_tangents);
+                Some((left, right))
+            }
+        }
+    }
+
+    /// De Casteljau at the middle, on the stack.
+    fn halve(&mut self, from: Stretch) -> (Stretch, Stretch) {
+        let count = from.end - from.start;
+        let start = self.arena.len();
+        self.arena.resize(start + 2 * count, [0.0; 4]);
+        let (below, above) = self.arena.split_at_mut(start);
+        let (left, right) = above.split_at_mut(count);
+        right.copy_from_slice(&below[from.start..from.end]);
+        for k in 0..count {
+            left[k] = right[0];
+            for i in 0..count - 1 - k {
+                right[i] = middle(&right[i], &right[i + 1]);
+            }
+        }
+        (Stretch { start, end: start + count }, Stretch { start: start + count, end: start + 2 * count })
+    }
+
+    /// Hull points of a part, a corner or an end.
+    #[inline]
+    pub fn hull(&self, node: &Node) -> &[Vector] {
+        &self.arena[node.hull.start..node.hull.end]
+    }
+
+    /// Tangents of a part, a corner or an end, zero vectors included.
+    #[inline]
+    pub fn tangents(&self, node: &Node) -> &[Vector] {
+        &self.arena[node.tangents.start..node.tangents.end]
+    }
+
+    /// A cone around the tangents of a node.
+    pub fn cone(&self, node: &Node) -> Cone {
+        match node.kind {
+            Kind::Run { number, .. } => self.run_cones[number],
+            Kind::Part { piece, depth: 0, .. } => self.floats.pieces[piece].cone,
+            _ => Cone::around(self.tangents(node)),
+        }
+    }
+
+    /// The same node for the checker's exact arithmetic.
+    pub fn exact(&self, node: &Node) -> ExactNode<'s> {
+        match node.kind {
+            Kind::Run { number, first, last } => ExactNode::Run { number, first, last },
+            Kind::Point(element) => ExactNode::Point(element),
+            Kind::Part { piece, index, depth } => {
+                let mut part = ExactPart::whole(self.context.chain, piece);
+                for level in (0..depth).rev() {
+                    let (left, right) = part.halves().expect("the search does not go deeper than the checker");
+                    part = if index >> level & 1 == 0 { left } else { right };
+                }
+                ExactNode::Part(part)
+            }
+        }
+    }
+}
+
+fn affine_error(error: f64, weight_error: f64, least_weight: f64, greatest: f64) -> f64 {
+    let weight = least_weight - weight_error;
+    if weight <= 0.0 {
+        return f64::INFINITY;
+    }
+    (error + greatest * weight_error) / weight * (1.0 + 4.0 * UNIT) + 2.0 * UNIT * greatest
+}
