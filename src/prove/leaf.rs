@@ -172,7 +172,7 @@ pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
     // Coordinates from here, so that products stay small beside a large common offset.
     let origin = points_a[0];
     let mut rectangles = Vec::with_capacity(points_a.len() * points_b.len());
-    let mut products = |points: &[Vector], tangents: &[Vector]| -> Vec<f64> {
+    let products = |points: &[Vector], tangents: &[Vector]| -> Vec<f64> {
         points
             .iter()
             .flat_map(|point| {

@@ -120,9 +120,10 @@ impl Bounds<'_> {
         if s == t {
             return None;
         }
-        let sides = |parameter: &Rational| {
+        let sides = |parameter: &Rational| -> Vec<Side> {
             let both = [Side::After, Side::Before];
-            both.into_iter().filter(|side| locate(self.chain, parameter, *side).is_some()).take(if parameter.is_integer() { 2 } else { 1 })
+            let there = both.into_iter().filter(|side| locate(self.chain, parameter, *side).is_some());
+            there.take(if parameter.is_integer() { 2 } else { 1 }).collect()
         };
         let bound = |rule, squared| Some(UpperBound { rule, squared, at: [s.clone(), t.clone()] });
         for side_s in sides(s) {
