@@ -3,7 +3,9 @@
 mod curve_support;
 
 use curve_support::{at, bezier, bspline, fraction, integers, unit, vector};
-use knotproof::curve::{BSpline, Bezier, Curve, Form, Joint, OperationError, Side, bernstein};
+use knotproof::curve::{
+    BSpline, Bezier, Curve, CurveFault, Form, Joint, OperationError, Side, bernstein,
+};
 use knotproof::number::{Integer, Rational, RationalVector};
 use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;
@@ -23,8 +25,8 @@ fn weighted_sum(
     let mut sum = vec![Rational::zero(); dimension + 1];
     for (k, factor) in factors.iter().enumerate() {
         let factor = weights.map_or(factor.clone(), |w| w.get(k) * factor);
-        for axis in 0..dimension {
-            sum[axis] += points.get(k * dimension + axis) * &factor;
+        for (axis, x) in sum[..dimension].iter_mut().enumerate() {
+            *x += points.get(k * dimension + axis) * &factor;
         }
         sum[dimension] += factor;
     }
@@ -344,25 +346,37 @@ proptest! {
     #[test]
     fn periodic_splines_close_smoothly(
         p in 1usize..5,
-        steps in prop::collection::vec(1i64..4, 1..8),
-        seed in prop::collection::vec((curve_support::coordinate(), curve_support::coordinate(), curve_support::weight()), 8),
+        steps in prop::collection::vec(0i64..4, 1..8),
+        seed in prop::collection::vec(
+            (curve_support::coordinate(), curve_support::coordinate(), curve_support::weight()), 8),
         rational in any::<bool>(),
     ) {
+        let m = steps.len();
         let mut knots = vec![fraction(-2, 3)];
         for step in &steps {
             knots.push(&knots[knots.len() - 1] + fraction(*step, 2));
         }
-        let points: Vec<Rational> = seed[..steps.len()].iter().flat_map(|(x, y, _)| [x.clone(), y.clone()]).collect();
-        let weights: Vec<Rational> = seed[..steps.len()].iter().map(|s| s.2.clone()).collect();
-        let spline = BSpline::periodic(2, p, &knots, &points, rational.then_some(&weights[..])).unwrap();
+        let points: Vec<Rational> = seed[..m].iter().flat_map(|(x, y, _)| [x.clone(), y.clone()]).collect();
+        let weights: Vec<Rational> = seed[..m].iter().map(|s| s.2.clone()).collect();
+        let spline = BSpline::periodic(2, p, &knots, &points, rational.then_some(&weights[..]));
+        let (first, last) = (&knots[0], &knots[m]);
+        // The greatest multiplicity in a period, and that of the closing knot.
+        let multiplicity = |t: &Rational| knots[..m].iter().filter(|s| *s == t).count();
+        let closing = multiplicity(first) + if first == last { 0 } else { multiplicity(last) };
+        let interior = knots[..m].iter().filter(|t| *t != first && *t != last).map(multiplicity).max();
+        if first == last || closing > p || interior > Some(p) {
+            prop_assert!(spline.is_err());
+            return Ok(());
+        }
+        let spline = spline.unwrap();
         let (start, end) = spline.domain();
-        prop_assert_eq!((&start, &end), (&knots[0], &knots[steps.len()]));
+        prop_assert_eq!((&start, &end), (first, last));
         prop_assert_eq!(
-            spline.derivatives(&start, Side::After, p - 1).unwrap(),
-            spline.derivatives(&end, Side::Before, p - 1).unwrap());
-        // Elevation keeps it periodic: the first and last points coincide in pairs.
+            spline.derivatives(&start, Side::After, p - closing).unwrap(),
+            spline.derivatives(&end, Side::Before, p - closing).unwrap());
         let elevated = spline.elevate(1).unwrap();
-        prop_assert_eq!(Curve::from(elevated).chain().closed(), true);
+        prop_assert_eq!(&elevated.derivatives(&end, Side::Before, p).unwrap(), &spline.derivatives(&end, Side::Before, p).unwrap());
+        prop_assert!(Curve::from(elevated).is_closed());
     }
 }
 
@@ -519,6 +533,73 @@ fn equal_weights_are_dropped_from_chains_only() {
     assert_eq!(curve.form(), &Form::Bezier(vec![piece]));
     assert_eq!(curve.chain().pieces()[0].weights(), None);
     assert_eq!(curve.chain(), curve.clone().into_chain());
+}
+
+#[test]
+fn curves_of_mixed_dimensions_are_refused() {
+    let piece = Bezier::new(2, integers(&[0, 0, 1, 0]), None).unwrap();
+    let error = Curve::new(3, Form::Bezier(vec![piece])).unwrap_err();
+    assert_eq!(error.place, "pieces[0].points");
+    assert_eq!(
+        error.fault,
+        CurveFault::MixedDimensions {
+            found: 2,
+            expected: 3
+        }
+    );
+    let error = Bezier::new(3, integers(&[0, 0, 1, 0]), None).unwrap_err();
+    assert_eq!(
+        error.fault,
+        CurveFault::MixedDimensions {
+            found: 1,
+            expected: 3
+        }
+    );
+    let error = Bezier::new(4, integers(&[0, 0, 1, 0]), None).unwrap_err();
+    assert_eq!(error.fault, CurveFault::Dimension { found: 4 });
+    let error = Curve::new(2, Form::Bezier(Vec::new())).unwrap_err();
+    assert_eq!(error.fault, CurveFault::NoPieces);
+}
+
+#[test]
+fn periodic_splines_need_one_knot_more_than_points() {
+    let f = |n: i64| fraction(n, 1);
+    let points = [f(0), f(0), f(1), f(0), f(0), f(1)];
+    let error = BSpline::periodic(2, 2, &[f(0), f(1), f(2)], &points, None).unwrap_err();
+    assert_eq!(
+        error.fault,
+        CurveFault::KnotCount {
+            found: 3,
+            expected: 4
+        }
+    );
+    let knots = [f(0), f(1), f(2), f(3)];
+    let error = BSpline::periodic(2, 2, &knots, &points, Some(&[f(1)])).unwrap_err();
+    assert_eq!(
+        error.fault,
+        CurveFault::WeightCount {
+            found: 1,
+            expected: 3
+        }
+    );
+    let error = BSpline::periodic(2, 0, &knots, &points, None).unwrap_err();
+    assert_eq!(error.fault, CurveFault::Degree { found: 0 });
+    let error = BSpline::periodic(2, 2, &knots[..1], &[], None).unwrap_err();
+    assert_eq!(
+        error.fault,
+        CurveFault::PointCount {
+            found: 0,
+            expected: 1
+        }
+    );
+    // The uniform quadratic on a triangle is a closed parabola chain through the midpoints of its sides.
+    let spline = BSpline::periodic(2, 2, &knots, &points, None).unwrap();
+    assert_eq!(spline.knots(), &integers(&[-2, -1, 0, 1, 2, 3, 4, 5]));
+    assert_eq!(spline.evaluate(&f(0)).unwrap(), [fraction(1, 2), f(0)]);
+    assert_eq!(
+        spline.evaluate(&f(1)).unwrap(),
+        [fraction(1, 2), fraction(1, 2)]
+    );
 }
 
 #[test]

@@ -56,7 +56,7 @@ impl BSpline {
         arguments: &[Rational],
     ) -> Result<Vec<Rational>, OperationError> {
         assert_eq!(arguments.len(), self.degree, "one argument a degree");
-        let (k, _) = self.span(t, side)?;
+        let k = self.span(t, side)?;
         let knots = self.span_knots(k);
         Ok(evaluate::blossom(&knots, self.span_control(k), arguments).rationals())
     }

@@ -91,7 +91,7 @@ impl BSpline {
         side: Side,
         order: usize,
     ) -> Result<Vec<Vec<Rational>>, OperationError> {
-        let (k, _) = self.span(t, side)?;
+        let k = self.span(t, side)?;
         let (start, end) = (self.knots.get(k), self.knots.get(k + 1));
         let length = end - &start;
         let piece = span_bezier(self, k);

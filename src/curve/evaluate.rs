@@ -45,7 +45,7 @@ impl BSpline {
     /// # Errors
     /// [`OperationError::OutsideDomain`].
     pub fn evaluate(&self, t: &Rational) -> Result<Vec<Rational>, OperationError> {
-        let (k, _) = self.span(t, Side::After)?;
+        let k = self.span(t, Side::After)?;
         let arguments = vec![t.clone(); self.degree];
         let knots = self.span_knots(k);
         let point = blossom(&knots, self.span_control(k), &arguments);
@@ -58,9 +58,9 @@ impl BSpline {
         self.evaluate(&start) == self.evaluate(&end)
     }
 
-    /// The index k of the non-empty knot span t_k < t_{k+1} of the domain on the given side of t, and whether t lies
-    /// strictly inside it; at an end of the domain the span inside.
-    pub(super) fn span(&self, t: &Rational, side: Side) -> Result<(usize, bool), OperationError> {
+    /// The index k of the non-empty knot span t_k < t_{k+1} of the domain on the given side of t; at an end of the
+    /// domain the span inside.
+    pub(super) fn span(&self, t: &Rational, side: Side) -> Result<usize, OperationError> {
         let (p, n) = (self.degree, self.count());
         let knots = self.knots.numerators();
         // t_i ? t  ⟺  numerator_i ? t · denominator
@@ -77,7 +77,7 @@ impl BSpline {
         } else {
             p + before - 1
         };
-        Ok((k, at_or_before == before))
+        Ok(k)
     }
 
     /// The 2p knots that span k depends on, t_{k-p+1} … t_{k+p}.

@@ -2,6 +2,24 @@
 //!
 //! The data types ([`Curve`], [`BSpline`], [`Bezier`], [`Chain`]) are plain data whose constructors refuse everything
 //! that is not a curve; a value of these types is valid. Everything else works on them and is exact.
+//!
+//! ```
+//! use knotproof::curve::{Joint, read_curve};
+//! use knotproof::number::{Integer, Rational};
+//!
+//! let json = r#"{ "knotproof": "curve/1",
+//!     "bspline": { "degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 2],
+//!                  "points": [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0]], "weights": [1, 1, 2, 1, 1] } }"#;
+//! let curve = read_curve(json)?.curve;
+//! let chain = curve.chain();
+//! assert_eq!(chain.count(), 2);
+//! assert_eq!(chain.joint(1), Some(Joint::Smooth));
+//! // The middle of the first quarter of the circle, in parameter: (3/5, 4/5).
+//! let half = Rational::new(Integer::from(1), Integer::from(2));
+//! let point = chain.evaluate(&half)?;
+//! assert_eq!(&point[0] * &point[0] + &point[1] * &point[1], Rational::from_integer(Integer::from(1)));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod bezier;
 mod blossom;

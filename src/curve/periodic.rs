@@ -8,12 +8,12 @@ impl BSpline {
     /// unclamped spline on [t_0, t_M]: knots and points continue periodically, the first `degree` points once more at the
     /// end.
     ///
-    /// `points` is flat; `weights` has one entry a point. With simple knots the curve is closed with all `degree` − 1
-    /// derivatives.
+    /// `points` is flat; `weights` has one entry a point. The curve is closed, with `degree` − m derivatives when t_0 occurs
+    /// m times in a period.
     ///
     /// # Errors
-    /// Knots not one more than the points, a period that is not positive, and every fault of [`BSpline::new`], named by its
-    /// place in the continued knots and points.
+    /// Knots not one more than the points, a period that is not positive, a knot that occurs in a period more often than the
+    /// degree, and every fault of [`BSpline::new`], named by its place in the continued knots and points.
     pub fn periodic(
         dimension: usize,
         degree: usize,
@@ -63,6 +63,16 @@ impl BSpline {
                 expected: count,
             };
             return Err(CurveError::new("weights", fault));
+        }
+        // Seen cyclically the closing knot is an interior one.
+        let closing = |t: &&Rational| **t == knots[0] || **t == knots[count];
+        let multiplicity = knots[..count].iter().filter(closing).count();
+        if multiplicity > degree && knots[0] != knots[count] {
+            let fault = CurveFault::InteriorMultiplicity {
+                multiplicity,
+                degree,
+            };
+            return Err(CurveError::new("knots[0]", fault));
         }
         let period = &knots[count] - &knots[0];
         // Knot `degree` is t_0.

@@ -1,4 +1,5 @@
 //! Random valid curves for the property tests.
+#![allow(dead_code, reason = "every test program uses a part of its own")]
 
 use knotproof::curve::{BSpline, Bezier};
 use knotproof::number::{Integer, Rational, RationalVector};
