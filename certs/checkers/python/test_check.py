@@ -398,11 +398,12 @@ class Tree(Checks):
         self.accept(c)
         self.accept(binary(c))
         self.reject(self.changed(c, ("evidence", "tree", 2), "bend 3 7"), "αv")
-        # two halves of a parabola, whose D is (1, 2), (1, 0), (1, -2): its length must not change by splitting
-        arc = {"bezier": {"pieces": [piece([(-1, -1), (0, 1), (1, -1)])]}}
-        c = certificate(arc, "inf", ["split", "bend 1 1", "bend 2 1", "bend 1 1"])
+        # a parabola with D = (2, 1), (2, -1): the length of D must not change by splitting
+        arc = {"bezier": {"pieces": [piece([(0, 0), (2, 1), (4, 0)])]}}
+        c = certificate(arc, "inf", ["split", "cone 1 0", "second", "bend 7 -4", "not_normal -1 0", "cone 1 0"])
         self.accept(c)
-        self.reject(self.changed(c, ("evidence", "tree", 2), "bend 7 1"), "αv")
+        self.reject(self.changed(c, ("evidence", "tree", 3), "bend 7 -8"), "αv")
+        self.reject(self.changed(c, ("evidence", "tree", 3), "bend 3 -4"), "αv")
 
     def test_far_under_inf(self):
         c = certificate(polygon((0, 0), (1, 0), (2, 1), (3, 1)), "inf",
