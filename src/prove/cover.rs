@@ -147,9 +147,7 @@ impl<'n, 's> Search<'n, 's> {
         let Some(b) = b else {
             let (left, right) = self.nodes.halves(a).expect("a point element is not paired with itself");
             self.emit(&Token::Split);
-            let whole = matches!(a.kind, Kind::Run { first: 0, last, .. } if last == self.nodes.context.elements.len())
-                || matches!(a.kind, Kind::Part { depth: 0, .. } if self.nodes.context.elements.len() == 1);
-            let between = Contact { forward: true, backward: whole && self.nodes.floats.closed };
+            let between = Contact { forward: true, backward: self.nodes.floats.closed && self.nodes.is_whole(a) };
             self.pair(&left, None, Contact::default())?;
             self.pair(&left, Some(&right), between)?;
             return self.pair(&right, None, Contact::default());

@@ -344,18 +344,15 @@ impl Work<'_> {
             return Ok(self.found(status, zero_lower(), None));
         };
         let mut proved: Option<(Lower, SpooledTempFile, u64)> = None;
-        // Fractions of the upper bound: 2^-40, 2^-20, …, 1/2, and then 1 − 10^-k.
-        let coarse = [40u32, 30, 20, 14, 10, 7, 5, 3, 2, 1].map(|bits| Rational::new(1.into(), Integer::from(1) << bits));
-        let fine = (1..=30u32).map(|k| {
-            let width = Rational::new(1.into(), Integer::from(10).pow(k));
-            Rational::from_integer(1.into()) - width
-        });
-        for fraction in coarse.into_iter().chain(fine) {
-            if Rational::from_integer(1.into()) - &fraction <= self.options.relative_width {
+        // Small fractions of the upper bound's square, and then relative widths of 10^-k.
+        let one = Rational::from_integer(1.into());
+        let coarse = [40u32, 30, 20, 14, 10, 7, 5, 3, 2, 1].map(|bits| &one - Rational::new(1.into(), Integer::from(1) << bits));
+        let fine = (1..=30u32).map(|k| Rational::new(1.into(), Integer::from(10).pow(k)));
+        for width in coarse.into_iter().chain(fine) {
+            if width <= self.options.relative_width {
                 break;
             }
-            let exact = &start * &fraction * &fraction;
-            let lower = Lower::Finite(simplest_between(&exact, &(&exact * Rational::new(1001.into(), 1000.into())).min(start.clone())));
+            let lower = Lower::Finite(below(&start, &width));
             match self.attempt(&lower, self.budget())? {
                 Attempt::Proved(tree, leaves) => proved = Some((lower, tree, leaves)),
                 Attempt::Event(_) => break,
@@ -372,10 +369,10 @@ fn zero_lower() -> Lower {
     Lower::Finite(Rational::from_integer(0.into()))
 }
 
-/// A fraction of few bits between (1−w)²x and (1−0.95w)²x.
+/// A fraction of few bits between (1−w)²x and (1−w+(1−w)w/20)²x.
 fn below(squared: &Rational, relative_width: &Rational) -> Rational {
     let one = Rational::from_integer(1.into());
-    let factor = |width: &Rational| (&one - width) * (&one - width);
-    let nearer = relative_width * Rational::new(19.into(), 20.into());
-    simplest_between(&(squared * factor(relative_width)), &(squared * factor(&nearer)))
+    let factor = &one - relative_width;
+    let nearer = &factor + &factor * relative_width / Rational::from_integer(20.into());
+    simplest_between(&(squared * &factor * &factor), &(squared * &nearer * &nearer))
 }

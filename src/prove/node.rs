@@ -339,6 +339,16 @@ impl<'s> Nodes<'s> {
         }
     }
 
+    /// Is this node all of the curve?
+    pub fn is_whole(&self, node: &Node) -> bool {
+        let count = self.context.elements.len();
+        match node.kind {
+            Kind::Run { first, last, .. } => first == 0 && last == count,
+            Kind::Part { depth, .. } => depth == 0 && count == 1,
+            Kind::Point(_) => false,
+        }
+    }
+
     /// The same node for the checker's exact arithmetic.
     pub fn exact(&self, node: &Node) -> ExactNode<'s> {
         match node.kind {

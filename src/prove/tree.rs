@@ -9,9 +9,8 @@ use rayon::prelude::*;
 use super::cone::Cone;
 use super::cover::{Contact, Event, Goal, Search, splits_first};
 use super::float_chain::FloatChain;
-use super::node::{Kind, Node, Nodes};
+use super::node::Nodes;
 use crate::check::cover::Context;
-use crate::check::element::Element;
 use crate::claim::tree::{Token, write_token};
 
 /// What a search needs of the curve.
@@ -161,14 +160,5 @@ impl Plan<'_, '_> {
         let middle = (first + last) / 2;
         let left = Elements { number: Boxes::left(number), first, last: middle };
         (left, Elements { number: Boxes::right(number, middle - first), first: middle, last })
-    }
-}
-
-/// Is this node the only piece of its curve, or all of its elements?
-pub fn is_whole(node: &Node, context: &Context) -> bool {
-    match node.kind {
-        Kind::Run { first, last, .. } => first == 0 && last == context.elements.len(),
-        Kind::Part { depth, .. } => depth == 0 && context.elements.len() == 1,
-        Kind::Point(Element::Piece(_)) | Kind::Point(_) => false,
     }
 }
