@@ -73,6 +73,8 @@ pub struct Goal {
     pub max_depth: u32,
     /// How many leaves are allowed.
     pub budget: u64,
+    /// Cover only pairs that meet: is the curve regular?
+    pub diagonal: bool,
 }
 
 /// A search under way.
@@ -84,12 +86,14 @@ pub struct Search<'n, 's> {
     pub tokens: Vec<u8>,
     /// Leaves among them.
     pub leaves: u64,
+    /// Pairs given to exact arithmetic, which are dear.
+    exact_attempts: u64,
 }
 
 impl<'n, 's> Search<'n, 's> {
     /// A search with no tokens yet.
     pub fn new(nodes: &'n mut Nodes<'s>, goal: &'n Goal) -> Self {
-        Search { nodes, goal, tokens: Vec::new(), leaves: 0 }
+        Search { nodes, goal, tokens: Vec::new(), leaves: 0, exact_attempts: 0 }
     }
 
     fn emit(&mut self, token: &Token) {
@@ -118,7 +122,7 @@ impl<'n, 's> Search<'n, 's> {
 
     /// Covers the pair (A, B), or (A, A) when `b` is `None`.
     pub fn pair(&mut self, a: &Node, b: Option<&Node>, contact: Contact) -> Result<(), Event> {
-        if b.is_none() && a.is_point() {
+        if b.is_none() && a.is_point() || self.goal.diagonal && b.is_some() && !contact.any() {
             return Ok(());
         }
         if let Some(leaf) = self.quick_leaf(a, b, contact) {
@@ -211,10 +215,14 @@ impl<'n, 's> Search<'n, 's> {
 
     /// Covers a pair in exact arithmetic.
     fn exact_pair(&mut self, a: &ExactNode<'s>, b: Option<&ExactNode<'s>>) -> Result<(), Event> {
-        if b.is_none() && a.is_point() {
+        let context = self.nodes.context;
+        if b.is_none() && a.is_point() || self.goal.diagonal && b.is_some_and(|b| !context.adjacent(a, b)) {
             return Ok(());
         }
-        let context = self.nodes.context;
+        self.exact_attempts += 1;
+        if self.exact_attempts > 50_000 + self.goal.budget / 40 {
+            return Err(Event::Budget);
+        }
         let second = b.unwrap_or(a);
         let end = |node: &ExactNode, end| node.contains_end(&context.elements, end);
         let any_end = |node: &ExactNode| end(node, Element::Start) || end(node, Element::End);

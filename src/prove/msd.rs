@@ -161,7 +161,7 @@ pub fn certify(curve: &Curve, options: &Options, progress: &dyn Fn(f64)) -> Resu
     let run_cones = run_cones(&context, &floats);
     let bounds = Bounds { chain: &chain, floats: &floats, convention: options.convention };
     let search_curve = SearchCurve { context: &context, floats: &floats, run_cones: &run_cones };
-    let mut work = Work { options, curve: search_curve, bounds, progress, upper: None, notes: Vec::new() };
+    let mut work = Work { options, curve: search_curve, bounds, progress, upper: None, knots: &|parameter| curve.chain().knot_at(parameter) };
     let found = work.run()?;
     let mut certified = nothing(found.status);
     certified.document.statement.lower_squared = found.lower;
@@ -211,7 +211,8 @@ struct Work<'w> {
     bounds: Bounds<'w>,
     progress: &'w dyn Fn(f64),
     upper: Option<UpperBound>,
-    notes: Vec<String>,
+    /// The curve's own knots, for messages.
+    knots: &'w dyn Fn(&Rational) -> Option<Rational>,
 }
 
 /// What one attempt at a lower bound came to.
@@ -228,7 +229,15 @@ impl Work<'_> {
 
     fn run(&mut self) -> Result<Found, CertifyError> {
         let steps = 10_000 + 400 * self.curve.context.elements.len() as u64;
-        let candidates = seeds::candidates(&mut self.curve.nodes(), steps.min(self.budget().saturating_mul(40).max(10_000)));
+        let seeds::Found { candidates, suspicious } = seeds::find(&mut self.curve.nodes(), steps.min(self.budget().saturating_mul(40).max(10_000)));
+        if suspicious {
+            // A point that is not regular makes every positive bound impossible; it is found faster alone.
+            let goal = Goal { diagonal: true, ..self.goal(&Lower::Infinite, self.budget()) };
+            if let Err(Failure::Event(Event::Stuck(stuck))) = search(&self.curve, &goal, &mut io::sink(), &|_| ()) {
+                let why = self.describe(&stuck);
+                return Ok(self.found(Status::Undecided(why), zero_lower(), None));
+            }
+        }
         // Without evidence for it, a candidate still says what lower bound to try.
         let mut unproved: Option<f64> = None;
         for candidate in &candidates {
@@ -255,7 +264,7 @@ impl Work<'_> {
                 Attempt::Proved(tree, leaves) => {
                     let status = match (&lower, &self.upper, unproved) {
                         (Lower::Infinite, _, _) | (_, Some(_), None) => Status::Certified,
-                        _ => Status::Undecided(self.why("no double normal could be proved to exist")),
+                        _ => Status::Undecided("no double normal could be proved to exist".into()),
                     };
                     return Ok(self.found(status, lower, Some((tree, leaves))));
                 }
@@ -289,26 +298,21 @@ impl Work<'_> {
         self.ladder("the search found ever shorter double normals")
     }
 
-    fn why(&self, reason: &str) -> String {
-        let mut why = reason.to_string();
-        for note in &self.notes {
-            why.push_str("; ");
-            why.push_str(note);
-        }
-        why
-    }
-
     fn found(&mut self, status: Status, lower: Lower, tree: Option<(SpooledTempFile, u64)>) -> Found {
         Found { status, lower, upper: self.upper.take(), tree }
     }
 
-    fn attempt(&self, lower: &Lower, budget: u64) -> Result<Attempt, CertifyError> {
+    fn goal(&self, lower: &Lower, budget: u64) -> Goal {
         let length = match lower {
             Lower::Infinite => f64::INFINITY,
             Lower::Finite(squared) => squared.to_f64().sqrt() * (1.0 + 4.0 * f64::EPSILON),
         };
         let halvings = 30.0 - 0.75 * self.options.relative_width.to_f64().log2();
-        let goal = Goal { lower: lower.clone(), length, max_depth: halvings.clamp(40.0, 118.0) as u32, budget };
+        Goal { lower: lower.clone(), length, max_depth: halvings.clamp(40.0, 118.0) as u32, budget, diagonal: false }
+    }
+
+    fn attempt(&self, lower: &Lower, budget: u64) -> Result<Attempt, CertifyError> {
+        let goal = self.goal(lower, budget);
         let mut tree = SpooledTempFile::new(IN_MEMORY);
         match search(&self.curve, &goal, &mut tree, self.progress) {
             Ok(leaves) => Ok(Attempt::Proved(tree, leaves)),
@@ -323,17 +327,22 @@ impl Work<'_> {
     }
 
     fn describe(&self, stuck: &Stuck) -> String {
-        let at = |(piece, u): (usize, f64)| format!("piece {piece} at local parameter {u:.12}");
+        let at = |(piece, u): (usize, f64)| {
+            let parameter = Rational::from_f64(u).map(|u| Rational::from_integer(piece.into()) + u);
+            let knot = parameter.and_then(|parameter| (self.knots)(&parameter)).map_or(f64::NAN, |knot| knot.to_f64());
+            format!("parameter {knot:.12} (piece {piece} at {u:.12})")
+        };
         if stuck.adjacent {
-            format!("the derivative vanishes or turns back near {}", at(stuck.s))
+            format!("the derivative vanishes or the curve turns back at about {}", at(stuck.s))
         } else {
-            format!("{} and {} are {:.3e} apart and could not be told from a double normal or a double point", at(stuck.s), at(stuck.t), stuck.distance)
+            let apart = stuck.distance;
+            format!("the points at about {} and {}, {apart:.3e} apart, could not be told from a double normal or a double point", at(stuck.s), at(stuck.t))
         }
     }
 
     /// Lower bounds in growing order, as far as they can be proved.
     fn ladder(&mut self, why: &str) -> Result<Found, CertifyError> {
-        let status = Status::Undecided(self.why(why));
+        let status = Status::Undecided(why.into());
         let best = self.upper.as_ref().map(|upper| upper.squared.clone());
         let reach: f64 = {
             let nodes = &mut self.curve.nodes();

@@ -23,17 +23,26 @@ struct Seeds<'n, 's> {
     /// The squared length of the shortest so far.
     shortest: f64,
     steps: u64,
+    suspicious: bool,
 }
 
-/// The shortest double normals found, shortest first.
-pub fn candidates(nodes: &mut Nodes, steps: u64) -> Vec<Candidate> {
+/// What the first pass found.
+pub struct Found {
+    /// The shortest double normals, shortest first.
+    pub candidates: Vec<Candidate>,
+    /// Somewhere the curve still turned by more than a right angle when it was cut small: a corner, or a point that is not regular.
+    pub suspicious: bool,
+}
+
+/// Looks for short double normals, in a bounded number of steps.
+pub fn find(nodes: &mut Nodes, steps: u64) -> Found {
     let whole = nodes.whole();
-    let mut seeds = Seeds { nodes, found: Vec::new(), shortest: f64::INFINITY, steps };
+    let mut seeds = Seeds { nodes, found: Vec::new(), shortest: f64::INFINITY, steps, suspicious: false };
     seeds.pair(&whole, None, Contact::default());
-    let mut found = seeds.found;
-    found.sort_by(|a, b| a.squared.total_cmp(&b.squared));
-    found.truncate(KEPT);
-    found
+    let Seeds { found: mut candidates, suspicious, steps, .. } = seeds;
+    candidates.sort_by(|a, b| a.squared.total_cmp(&b.squared));
+    candidates.truncate(KEPT);
+    Found { candidates, suspicious: suspicious || steps == 0 }
 }
 
 /// The squared distance of two boxes.
@@ -49,7 +58,11 @@ fn box_distance(a: &Node, b: &Node) -> f64 {
 impl Seeds<'_, '_> {
     fn pair(&mut self, a: &Node, b: Option<&Node>, contact: Contact) {
         let Some(b) = b else {
-            if a.is_point() || leaf::cone(self.nodes, a, None).is_some() || a.depth() >= DEPTH {
+            if a.is_point() || leaf::cone(self.nodes, a, None).is_some() {
+                return;
+            }
+            if a.depth() >= DEPTH {
+                self.suspicious = true;
                 return;
             }
             let mark = self.nodes.mark();
@@ -73,6 +86,7 @@ impl Seeds<'_, '_> {
         if !touching && (a.is_run() || b.is_run()) && leaf::not_normal(self.nodes, a, b).is_some() {
             return;
         }
+        self.suspicious |= touching && a.depth().max(b.depth()) >= DEPTH;
         if a.depth().max(b.depth()) >= DEPTH || !touching && self.settled(a, b) {
             return;
         }
