@@ -160,7 +160,7 @@ fn cone(context: &Context, a: &Node, b: Option<&Node>) -> Option<Leaf> {
             directions.push([x, y, z, 0.0]);
         }
     }
-    let cone = super::cone::Cone::around(&directions);
-    let bits = if cone.angle < 0.6 { 6 } else { 20 };
-    (cone.angle < std::f64::consts::FRAC_PI_4).then(|| Leaf::Cone(quantised(&cone.axis, bits).map(Into::into)))
+    let cone = super::cone::Cone::around(directions.iter());
+    let bits = if cone.cosine > 0.83 { 6 } else { 20 };
+    (cone.cosine > std::f64::consts::FRAC_1_SQRT_2).then(|| Leaf::Cone(quantised(&cone.axis, bits).map(Into::into)))
 }

@@ -122,7 +122,7 @@ impl FloatChain {
             greatest_point: most(points),
             greatest_weight: points.iter().map(|point| point[3]).fold(0.0, f64::max),
             greatest_tangent: most(tangents),
-            cone: Cone::around(tangents),
+            cone: Cone::around(tangents.iter()),
         });
     }
 

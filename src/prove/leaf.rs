@@ -2,6 +2,9 @@
 //!
 //! Whatever is returned satisfies its obligation exactly, by the error bounds of the nodes; the checker replays it all the same.
 
+use smallvec::SmallVec;
+
+use super::cone::Cone;
 use super::float_chain::UNIT;
 use super::half_plane::{Rectangle, Signs, choose};
 use super::node::{Node, Nodes};
@@ -171,18 +174,16 @@ pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
     }
     // Coordinates from here, so that products stay small beside a large common offset.
     let origin = points_a[0];
-    let mut rectangles = Vec::with_capacity(points_a.len() * points_b.len());
-    let products = |points: &[Vector], tangents: &[Vector]| -> Vec<f64> {
-        points
-            .iter()
-            .flat_map(|point| {
-                let local = sub(point, &origin);
-                tangents.iter().map(move |tangent| dot(&local, tangent))
-            })
-            .collect()
+    let products = |points: &[Vector], tangents: &[Vector]| -> Products {
+        let mut products = Products::new();
+        for point in points {
+            let local = sub(point, &origin);
+            products.extend(tangents.iter().map(|tangent| dot(&local, tangent)));
+        }
+        products
     };
-    let (p_v, p_w) = (products(points_a, tangents_a), products(points_a, tangents_b));
-    let (q_v, q_w) = (products(points_b, tangents_a), products(points_b, tangents_b));
+    let (p_v, q_v) = (products(points_a, tangents_a), products(points_b, tangents_a));
+    let (p_w, q_w) = (products(points_a, tangents_b), products(points_b, tangents_b));
     let range = |p: &[f64], q: &[f64]| {
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
         for (x, y) in p.iter().zip(q) {
@@ -190,13 +191,10 @@ pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
         }
         range
     };
-    let (v, w) = (tangents_a.len(), tangents_b.len());
-    for i in 0..points_a.len() {
-        for j in 0..points_b.len() {
-            rectangles.push(Rectangle {
-                a: range(&p_v[i * v..(i + 1) * v], &q_v[j * v..(j + 1) * v]),
-                b: range(&p_w[i * w..(i + 1) * w], &q_w[j * w..(j + 1) * w]),
-            });
+    let mut rectangles: SmallVec<[Rectangle; 16]> = SmallVec::new();
+    for (of_v, of_w) in p_v.chunks(tangents_a.len()).zip(p_w.chunks(tangents_b.len())) {
+        for (from_v, from_w) in q_v.chunks(tangents_a.len()).zip(q_w.chunks(tangents_b.len())) {
+            rectangles.push(Rectangle { a: range(of_v, from_v), b: range(of_w, from_w) });
         }
     }
     // The chord's components are at most `extent` in magnitude, and each off by `chord_error`.
@@ -212,6 +210,9 @@ pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
     let factors = choose(&rectangles, [error(a, tangents_a), error(b, tangents_b)], signs)?;
     Some(Leaf::NotNormal(factors.map(Into::into)))
 }
+
+/// Products of points and tangents; on the stack up to cubics.
+type Products = SmallVec<[f64; 16]>;
 
 fn has_zero(tangents: &[Vector]) -> bool {
     tangents.iter().any(|v| v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0)
@@ -249,20 +250,34 @@ fn not_normal_of_runs(nodes: &Nodes, a: &Node, b: &Node, signs: Signs) -> Option
 
 /// `cone` for one node or two adjacent ones.
 pub fn cone(nodes: &Nodes, a: &Node, b: Option<&Node>) -> Option<Leaf> {
-    let both = match b {
+    const HALF_RIGHT_ANGLE: f64 = std::f64::consts::FRAC_1_SQRT_2;
+    let runs = a.is_run() || b.is_some_and(Node::is_run);
+    let cone = match b {
         None => nodes.cone(a),
-        Some(b) => nodes.cone(a).merged(&nodes.cone(b)),
+        Some(b) if runs => {
+            let (of_a, of_b) = (nodes.cone(a), nodes.cone(b));
+            if of_a.cosine < HALF_RIGHT_ANGLE || of_b.cosine < HALF_RIGHT_ANGLE {
+                return None;
+            }
+            of_a.merged(&of_b)
+        }
+        Some(b) => Cone::around(nodes.tangents(a).iter().chain(nodes.tangents(b))),
     };
-    if both.angle >= std::f64::consts::FRAC_PI_4 {
+    if cone.cosine <= HALF_RIGHT_ANGLE {
         return None;
     }
-    let margin = std::f64::consts::FRAC_PI_4 - both.angle;
+    // A cone is only as good as the floats its tangents were.
+    if !trustworthy(nodes, a) || !b.is_none_or(|b| trustworthy(nodes, b)) {
+        return None;
+    }
+    // n may be off the axis by the angle left to 45°: cos(45° − φ) for a cone of half-angle φ.
+    let sine = (1.0 - (cone.cosine * cone.cosine).min(1.0)).sqrt();
+    let needed = HALF_RIGHT_ANGLE * (cone.cosine + sine) + 1e-7;
     for bits in [2u32, 3, 5, 8, 12, 20] {
-        let n = quantised(&both.axis, bits);
+        let n = quantised(&cone.axis, bits);
         let as_float = from_integers(&n);
-        let cosine = dot(&as_float, &both.axis) / dot(&as_float, &as_float).sqrt();
-        // The cone is only as good as the floats its tangents were.
-        if cosine.clamp(-1.0, 1.0).acos() + 1e-6 < margin && trustworthy(nodes, a) && b.is_none_or(|b| trustworthy(nodes, b)) {
+        let along = dot(&as_float, &cone.axis);
+        if along > 0.0 && along * along > needed * needed * dot(&as_float, &as_float) {
             return Some(Leaf::Cone(n.map(Into::into)));
         }
     }
@@ -271,7 +286,7 @@ pub fn cone(nodes: &Nodes, a: &Node, b: Option<&Node>) -> Option<Leaf> {
 
 /// Are the tangents of a node so much larger than their errors that their directions are right to 10⁻⁷?
 fn trustworthy(nodes: &Nodes, node: &Node) -> bool {
-    node.is_run() || nodes.tangents(node).iter().all(|v| greatest(v) > 1e7 * node.tangent_error)
+    node.is_run() || nodes.tangents(node).iter().all(|v| greatest(v) > 1e8 * node.tangent_error)
 }
 
 /// `bend` for one node or two adjacent ones, none of them a run.
@@ -289,7 +304,7 @@ pub fn bend(nodes: &Nodes, a: &Node, b: Option<&Node>, signs: Signs) -> Option<L
         products.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| [low.min(y), high.max(y)])
     };
     let path = [a, second].into_iter().filter(|node| !node.is_point()).flat_map(|node| nodes.tangents(node));
-    let rectangles: Vec<Rectangle> = path.map(|x| Rectangle { a: range(x, v), b: range(x, w) }).collect();
+    let rectangles: SmallVec<[Rectangle; 16]> = path.map(|x| Rectangle { a: range(x, v), b: range(x, w) }).collect();
     let most = |vectors: &[Vector]| vectors.iter().map(norm1).fold(0.0, f64::max);
     let (size, tangent_error) = (most(v).max(most(w)), a.tangent_error.max(second.tangent_error));
     let error = 2.0 * size * tangent_error + 3.0 * tangent_error * tangent_error + 8.0 * UNIT * size * size;

@@ -109,7 +109,7 @@ pub fn run_cones(context: &Context, floats: &FloatChain) -> Vec<Cone> {
         if last - first == 1 {
             return match context.elements.get(first) {
                 Element::Piece(piece) => floats.pieces[piece].cone,
-                point => Cone::around(&point_tangents(context, floats, point)),
+                point => Cone::around(point_tangents(context, floats, point).iter()),
             };
         }
         let number = cones.len();
@@ -146,7 +146,7 @@ impl<'s> Nodes<'s> {
     /// An empty stack.
     pub fn new(context: &'s Context<'s>, floats: &'s FloatChain, run_cones: &'s [Cone]) -> Self {
         let grid_unit = 2f64.powi(-(context.grid_scale.exponent.min(1000) as i32));
-        Nodes { context, floats, run_cones, grid_unit, arena: Vec::new() }
+        Nodes { context, floats, run_cones, grid_unit, arena: Vec::with_capacity(1024) }
     }
 
     /// The height of the stack, to return to.
@@ -335,7 +335,7 @@ impl<'s> Nodes<'s> {
         match node.kind {
             Kind::Run { number, .. } => self.run_cones[number],
             Kind::Part { piece, depth: 0, .. } => self.floats.pieces[piece].cone,
-            _ => Cone::around(self.tangents(node)),
+            _ => Cone::around(self.tangents(node).iter()),
         }
     }
 

@@ -10,8 +10,8 @@ use super::node::{Kind, Node, Nodes};
 use super::vector::{dot, sub};
 use crate::check::element::Element;
 
-/// Parts are given to Newton's method when all tangents are within this angle of an axis.
-const STRAIGHT: f64 = 0.6;
+/// Parts are given to Newton's method when all tangents make an angle of at least this cosine with an axis.
+const STRAIGHT: f64 = 0.82;
 /// How often a piece may be halved in this pass.
 const DEPTH: u32 = 9;
 /// How many candidates are kept, shortest first.
@@ -80,7 +80,8 @@ impl Seeds<'_, '_> {
         }
         self.steps -= 1;
         let touching = contact.forward || contact.backward;
-        if touching && leaf::cone(self.nodes, a, Some(b)).is_some() {
+        let free = [0, 0];
+        if touching && leaf::cone(self.nodes, a, Some(b)).or_else(|| leaf::bend(self.nodes, a, Some(b), free)).is_some() {
             return;
         }
         if !touching && (a.is_run() || b.is_run()) && leaf::not_normal(self.nodes, a, b).is_some() {
@@ -116,7 +117,7 @@ impl Seeds<'_, '_> {
             self.corners(a, b);
             return true;
         }
-        let straight = |node: &Node| node.is_point() || self.nodes.cone(node).angle < STRAIGHT;
+        let straight = |node: &Node| node.is_point() || self.nodes.cone(node).cosine > STRAIGHT;
         if !straight(a) || !straight(b) {
             return false;
         }
