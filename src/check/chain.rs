@@ -27,13 +27,37 @@ impl Scale {
     }
 
     /// The scale times `2^bits`.
-    pub fn doubled(&self, bits: u32) -> Self {
-        Scale { odd: self.odd.clone(), exponent: self.exponent + bits }
+    pub fn doubled(&self, bits: u32) -> ScaleRef<'_> {
+        ScaleRef { odd: &self.odd, exponent: self.exponent + bits }
     }
 
     /// The integer itself.
     pub fn value(&self) -> Integer {
-        &self.odd << self.exponent
+        self.doubled(0).value()
+    }
+}
+
+/// A scale whose odd factor is borrowed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ScaleRef<'s> {
+    /// The odd factor.
+    pub odd: &'s Integer,
+    /// The exponent of two.
+    pub exponent: u32,
+}
+
+/// The odd factor of powers of two.
+static ONE: Integer = Integer::ONE;
+
+impl ScaleRef<'_> {
+    /// 2^`exponent`.
+    pub fn power_of_two(exponent: u32) -> ScaleRef<'static> {
+        ScaleRef { odd: &ONE, exponent }
+    }
+
+    /// The integer itself.
+    pub fn value(&self) -> Integer {
+        self.odd << self.exponent
     }
 }
 

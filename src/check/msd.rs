@@ -29,7 +29,7 @@ pub fn check_msd<S: TokenSource>(document: &Document, tokens: &mut S) -> Result<
         };
     }
     let context = Context::new(&chain, statement.convention, document.evidence.grid);
-    replay(&context, &statement.lower_squared, tokens)
+    replay(&context, &statement.lower_squared, tokens).map_err(|rejection| *rejection)
 }
 
 fn consistent(document: &Document) -> Result<(), Rejection> {

@@ -120,7 +120,7 @@ fn factors<'x>(
     signs: Signs,
 ) -> Option<[Integer; 2]> {
     let size = |tangents: &Tangents<Integer>| {
-        let bits = |(vectors, scale): (&[[Integer; 3]], &crate::check::chain::Scale)| {
+        let bits = |(vectors, scale): (&[[Integer; 3]], crate::check::chain::ScaleRef)| {
             let most = vectors.iter().flatten().map(Word::bit_length).max().unwrap_or(0);
             i64::from(most) - scale.odd.bits() as i64 - i64::from(scale.exponent)
         };

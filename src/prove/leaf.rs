@@ -172,31 +172,6 @@ pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
     if has_zero(tangents_a) || has_zero(tangents_b) {
         return None;
     }
-    // Coordinates from here, so that products stay small beside a large common offset.
-    let origin = points_a[0];
-    let products = |points: &[Vector], tangents: &[Vector]| -> Products {
-        let mut products = Products::new();
-        for point in points {
-            let local = sub(point, &origin);
-            products.extend(tangents.iter().map(|tangent| dot(&local, tangent)));
-        }
-        products
-    };
-    let (p_v, q_v) = (products(points_a, tangents_a), products(points_b, tangents_a));
-    let (p_w, q_w) = (products(points_a, tangents_b), products(points_b, tangents_b));
-    let range = |p: &[f64], q: &[f64]| {
-        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-        for (x, y) in p.iter().zip(q) {
-            range = [range[0].min(x - y), range[1].max(x - y)];
-        }
-        range
-    };
-    let mut rectangles: SmallVec<[Rectangle; 16]> = SmallVec::new();
-    for (of_v, of_w) in p_v.chunks(tangents_a.len()).zip(p_w.chunks(tangents_b.len())) {
-        for (from_v, from_w) in q_v.chunks(tangents_a.len()).zip(q_w.chunks(tangents_b.len())) {
-            rectangles.push(Rectangle { a: range(of_v, from_v), b: range(of_w, from_w) });
-        }
-    }
     // The chord's components are at most `extent` in magnitude, and each off by `chord_error`.
     let mut extent = 0.0f64;
     for axis in 0..3 {
@@ -207,12 +182,86 @@ pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
         let most = tangents.iter().map(norm1).fold(0.0, f64::max);
         most * chord_error + 3.0 * extent * node.tangent_error + 8.0 * UNIT * most * extent
     };
-    let factors = choose(&rectangles, [error(a, tangents_a), error(b, tangents_b)], signs)?;
+    let errors = [error(a, tangents_a), error(b, tangents_b)];
+    // Coordinates from here, so that products stay small beside a large common offset.
+    let origin = points_a[0];
+    let of_v = ChordProducts::new(points_a, points_b, tangents_a, &origin);
+    if let Some(sign) = of_v.sign(errors[0]).filter(|sign| signs[0] == 0 || *sign == i64::from(signs[0])) {
+        return Some(Leaf::NotNormal([sign.into(), 0.into()]));
+    }
+    let of_w = ChordProducts::new(points_a, points_b, tangents_b, &origin);
+    if let Some(sign) = of_w.sign(errors[1]).filter(|sign| signs[1] == 0 || *sign == i64::from(signs[1])) {
+        return Some(Leaf::NotNormal([0.into(), sign.into()]));
+    }
+    let mut rectangles: SmallVec<[Rectangle; 16]> = SmallVec::new();
+    of_v.each_chord(&of_w, |a, b| rectangles.push(Rectangle { a, b }));
+    let factors = choose(&rectangles, errors, signs)?;
     Some(Leaf::NotNormal(factors.map(Into::into)))
 }
 
-/// Products of points and tangents; on the stack up to cubics.
+/// Products of points with tangents, all those of a point together; on the stack up to cubics.
 type Products = SmallVec<[f64; 16]>;
+
+/// The products p·v and q·v for all p∈H(A), q∈H(B) and the tangents v of one node.
+struct ChordProducts {
+    of_a: Products,
+    of_b: Products,
+    tangents: usize,
+    /// Least and greatest (p−q)·v.
+    range: [f64; 2],
+}
+
+impl ChordProducts {
+    fn new(points_a: &[Vector], points_b: &[Vector], tangents: &[Vector], origin: &Vector) -> Self {
+        let products = |points: &[Vector]| {
+            let mut products = Products::new();
+            for point in points {
+                let local = sub(point, origin);
+                products.extend(tangents.iter().map(|tangent| dot(&local, tangent)));
+            }
+            products
+        };
+        let (of_a, of_b) = (products(points_a), products(points_b));
+        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        for v in 0..tangents.len() {
+            let bounds = |products: &Products| {
+                let of_v = products.iter().skip(v).step_by(tangents.len());
+                of_v.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(*x), high.max(*x)])
+            };
+            let (p, q) = (bounds(&of_a), bounds(&of_b));
+            range = [range[0].min(p[0] - q[1]), range[1].max(p[1] - q[0])];
+        }
+        ChordProducts { of_a, of_b, tangents: tangents.len(), range }
+    }
+
+    /// The sign that all (p−q)·v certainly have.
+    fn sign(&self, error: f64) -> Option<i64> {
+        let error = error * 1.000_001;
+        if self.range[0] > error {
+            Some(1)
+        } else if self.range[1] < -error {
+            Some(-1)
+        } else {
+            None
+        }
+    }
+
+    /// The ranges of (p−q)·v and (p−q)·w for each p, q, with `other` holding the products with the w.
+    fn each_chord(&self, other: &ChordProducts, mut found: impl FnMut([f64; 2], [f64; 2])) {
+        let range = |p: &[f64], q: &[f64]| {
+            let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+            for (x, y) in p.iter().zip(q) {
+                range = [range[0].min(x - y), range[1].max(x - y)];
+            }
+            range
+        };
+        for (p_v, p_w) in self.of_a.chunks(self.tangents).zip(other.of_a.chunks(other.tangents)) {
+            for (q_v, q_w) in self.of_b.chunks(self.tangents).zip(other.of_b.chunks(other.tangents)) {
+                found(range(p_v, q_v), range(p_w, q_w));
+            }
+        }
+    }
+}
 
 fn has_zero(tangents: &[Vector]) -> bool {
     tangents.iter().any(|v| v[0] == 0.0 && v[1] == 0.0 && v[2] == 0.0)

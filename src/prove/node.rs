@@ -145,7 +145,7 @@ fn point_tangents(context: &Context, floats: &FloatChain, element: Element) -> V
 impl<'s> Nodes<'s> {
     /// An empty stack.
     pub fn new(context: &'s Context<'s>, floats: &'s FloatChain, run_cones: &'s [Cone]) -> Self {
-        let grid_unit = 2f64.powi(-(context.grid_scale.exponent.min(1000) as i32));
+        let grid_unit = 2f64.powi(-(context.grid.min(1000) as i32));
         Nodes { context, floats, run_cones, grid_unit, arena: Vec::with_capacity(1024) }
     }
 
@@ -210,7 +210,7 @@ impl<'s> Nodes<'s> {
             }
             crate::check::boxes::Boxes::Large(boxes) => {
                 let [low, high] = &boxes[number];
-                let scale = &self.context.grid_scale;
+                let scale = self.context.grid_scale();
                 let wide = |x: f64, up: bool| if up { x + x.abs() * 8.0 * UNIT } else { x - x.abs() * 8.0 * UNIT };
                 let vector = |v: &[crate::number::Integer; 3], up| {
                     let [x, y, z] = [0, 1, 2].map(|i| wide(super::float_chain::quotient(&v[i], scale), up));

@@ -58,7 +58,7 @@ fn box_distance(a: &Node, b: &Node) -> f64 {
 impl Seeds<'_, '_> {
     fn pair(&mut self, a: &Node, b: Option<&Node>, contact: Contact) {
         let Some(b) = b else {
-            if a.is_point() || leaf::cone(self.nodes, a, None).is_some() {
+            if a.is_point() || self.nodes.cone(a).cosine > 0.1 {
                 return;
             }
             if a.depth() >= DEPTH {
@@ -80,8 +80,7 @@ impl Seeds<'_, '_> {
         }
         self.steps -= 1;
         let touching = contact.forward || contact.backward;
-        let free = [0, 0];
-        if touching && leaf::cone(self.nodes, a, Some(b)).or_else(|| leaf::bend(self.nodes, a, Some(b), free)).is_some() {
+        if touching && self.gentle(a, b) {
             return;
         }
         if !touching && (a.is_run() || b.is_run()) && leaf::not_normal(self.nodes, a, b).is_some() {
@@ -106,6 +105,12 @@ impl Seeds<'_, '_> {
             }
         }
         self.nodes.release(mark);
+    }
+
+    /// Do two nodes that meet bend so little that a double normal between them is unlikely? If there is one, the search will find it.
+    fn gentle(&self, a: &Node, b: &Node) -> bool {
+        let (of_a, of_b) = (self.nodes.cone(a), self.nodes.cone(b));
+        of_a.cosine > 0.5 && of_b.cosine > 0.5 && dot(&of_a.axis, &of_b.axis) > -0.3
     }
 
     /// Looks for double normals of two nodes that do not meet; `false` if they are to be split.

@@ -169,7 +169,8 @@ impl Bounds<'_> {
         for _ in 0..8 {
             let (of_s, of_t) = (locate(self.chain, &s, Side::After)?, locate(self.chain, &t, Side::After)?);
             let (p, q) = (point::<Integer>(self.chain, &of_s)?, point::<Integer>(self.chain, &of_t)?);
-            let gap = Gap::new(&p.point, &q.point)?;
+            let (of_p, of_q) = (p.hull(), q.hull());
+            let gap = Gap::new(&of_p, &of_q)?;
             let residual = |field: &[Integer; 3], scale: &crate::check::chain::Scale| {
                 let mut value = None;
                 gap.all_differences(|x, unit| {
@@ -207,7 +208,7 @@ impl Bounds<'_> {
         else {
             return 1.0;
         };
-        let field = here.field.each_ref().map(|x| super::float_chain::quotient(x, &here.field_scale));
+        let field = here.field.each_ref().map(|x| super::float_chain::quotient(x, here.field_scale.doubled(0)));
         let length = (field[0] * field[0] + field[1] * field[1] + field[2] * field[2]).sqrt();
         dot(&derivative, &derivative).sqrt() / length
     }
@@ -357,7 +358,7 @@ impl Bounds<'_> {
         let corner = point::<Integer>(self.chain, &locate(self.chain, s, self.any_side(s))?)?;
         let mut most = None;
         for piece in pieces {
-            most = farther(most, &corner.point, &section::<Integer>(self.chain, piece)?.hull)?;
+            most = farther(most, &corner.hull(), &section::<Integer>(self.chain, piece)?.hull())?;
         }
         most
     }
@@ -430,14 +431,14 @@ fn greatest_distance<W: Word>(chain: &Chain, first: &[Section], second: &[Sectio
     for a in first {
         let a = section::<W>(chain, a)?;
         for b in second {
-            most = farther(most, &a.hull, &section::<W>(chain, b)?.hull)?;
+            most = farther(most, &a.hull(), &section::<W>(chain, b)?.hull())?;
         }
     }
     Some(most)
 }
 
 /// The greater of `most` and the greatest |p−q|² over two hulls.
-fn farther<W: Word>(most: Option<Rational>, a: &Hull<W>, b: &Hull<W>) -> Option<Option<Rational>> {
+fn farther<W: Word>(most: Option<Rational>, a: &Hull<'_, W>, b: &Hull<'_, W>) -> Option<Option<Rational>> {
     let gap = Gap::new(a, b)?;
     // Squares over the same unit are compared as integers, which is the rule for polynomial pieces.
     let mut best: Option<(W, W)> = None;

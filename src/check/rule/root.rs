@@ -13,8 +13,9 @@ use crate::number::{Integer, Rational};
 pub fn chord(chain: &Chain, s: (&Rational, Side), t: (&Rational, Side)) -> Option<([Integer; 3], Integer)> {
     let at = |(parameter, side)| {
         let here = point::<Integer>(chain, &locate(chain, parameter, side)?).expect("unbounded integers do not overflow");
-        let (x, weight) = here.point.points().next().expect("a point");
-        let weight = weight.cloned().unwrap_or_else(|| here.point.shared_scale().expect("one weight").value());
+        let hull = here.hull();
+        let (x, weight) = hull.points().next().expect("a point");
+        let weight = weight.cloned().unwrap_or_else(|| hull.shared_scale().expect("one weight").value());
         Some((x.clone(), weight))
     };
     let ((p, w), (q, v)) = (at(s)?, at(t)?);
