@@ -46,8 +46,12 @@ impl<'c> Context<'c> {
                 Lower::Finite(lower) => widening!(bits, W => far::check::<W>(self, a, b, n, lower)),
             },
             (Leaf::NotNormal(_), None) => fails("two different nodes", "one"),
+            (Leaf::NotNormal([alpha, beta]), Some(b)) if !(alpha.is_zero() || beta.is_zero()) && (a.is_run() || b.is_run()) => {
+                fails("one factor 0 for a run", "two factors")
+            }
             (Leaf::NotNormal(factors), Some(b)) => widening!(bits, W => not_normal::check::<W>(self, a, b, factors)),
             (Leaf::Cone(_) | Leaf::Bend(_), Some(b)) if !self.adjacent(a, b) => fails("adjacent nodes", "nodes apart"),
+            (Leaf::Bend(_), b) if a.is_run() || b.is_some_and(Node::is_run) => fails("parts, corners or ends", "a run"),
             (Leaf::Cone(n), b) => widening!(bits, W => cone::check::<W>(self, a, b, n)),
             (Leaf::Bend(factors), b) => widening!(bits, W => bend::check::<W>(self, a, b, factors)),
         }

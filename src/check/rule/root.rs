@@ -44,6 +44,9 @@ pub fn product(a: &[Integer; 3], b: &[Integer; 3]) -> Integer {
 /// Checks `root`.
 pub fn check(chain: &Chain, s: &(Rational, Side), t: &(Rational, Side), upper_squared: &Rational) -> Outcome {
     ordered(chain, &s.0, &t.0)?;
+    if [s, t].into_iter().any(|(parameter, side)| *side == Side::Before && !parameter.is_integer()) {
+        return fails("the side \"after\" of a parameter that is not an integer", "\"before\"".into());
+    }
     let Some((x, unit)) = chord(chain, (&s.0, s.1), (&t.0, t.1)) else {
         return fails("a piece on the side named", "none".into());
     };
