@@ -161,6 +161,24 @@ fn nearest_far(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> Option<Leaf
     None
 }
 
+/// Is it only for the errors of floats that `far` does not hold, as between parallel lines at just the distance asked for?
+pub fn far_within_errors(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> bool {
+    let mut n = sub(&super::vector::middle(&a.low, &a.high), &super::vector::middle(&b.low, &b.high));
+    for axis in 0..3 {
+        if a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis] {
+            continue;
+        }
+        // Only axes along which the boxes are apart, if there are any.
+        if (0..3).any(|other| a.low[other] > b.high[other] || b.low[other] > a.high[other]) {
+            n[axis] = 0.0;
+        }
+    }
+    let norm = dot(&n, &n).sqrt();
+    let error = norm1(&n) * (a.error + b.error + 4.0 * UNIT * (reach(a) + reach(b)));
+    let value = support(nodes, a, &n, false) - support(nodes, b, &n, true);
+    value + 4.0 * error >= target.length * norm * (1.0 - 16.0 * UNIT)
+}
+
 /// `not_normal` for two different nodes that are not adjacent.
 pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
     let signs: Signs = [if a.has_end { -1 } else { 0 }, if b.has_end { -1 } else { 0 }];

@@ -255,7 +255,7 @@ impl Bounds<'_> {
             for subdivisions in [1, 2, 4, 8, 16, 32] {
                 let regular = [self.direction(&s), self.direction(&t)];
                 let witness = miranda::Witness { s: &s, t: &t, first: &first, second: &second, regular: &regular, subdivisions };
-                let outcome = widening!(64, W => miranda::check::<W>(self.chain, &witness, &squared));
+                let outcome = widening!(128, W => miranda::check::<W>(self.chain, &witness, &squared));
                 if outcome.is_ok() {
                     let at = [(&s.start + &s.end) / integer(2), (&t.start + &t.end) / integer(2)];
                     let rule = Upper::Miranda { s, t, first, second, regular, subdivisions };
@@ -290,7 +290,7 @@ impl Bounds<'_> {
     /// The greatest |p−q|² over the hulls of two intervals.
     fn greatest_distance(&self, s: &Interval, t: &Interval) -> Option<Rational> {
         let (s, t) = (sections(self.chain, s)?.0, sections(self.chain, t)?.0);
-        widening!(64, W => greatest_distance::<W>(self.chain, &s, &t))
+        widening!(128, W => greatest_distance::<W>(self.chain, &s, &t))
     }
 
     /// A critical chord from a corner or an end to the inside of a piece.
