@@ -4,9 +4,9 @@
 Written from docs/FORMAT.md alone; Python 3.11 or newer, standard library only.
 The section numbers (§) in the comments are those of FORMAT.md.
 
-All arithmetic is exact.  A vector of the plane or of space is a tuple of three integers (a plane
-curve has third coordinate 0) over a positive integer denominator kept beside it: a *hull* is
-(list of vectors, denominator), *tangents* are a list of such groups.
+All arithmetic is exact.  A point is a tuple of integers (x, y, z, w) and means (x, y, z)/w, w > 0; a plane
+curve has z = 0.  A *hull* is a list of points with the same w.  *Tangents* are a list of groups, each a list
+of integer vectors (x, y, z) with a positive common denominator.
 """
 
 import argparse
@@ -37,6 +37,7 @@ DIGITS = re.compile(r"0|[1-9][0-9]{0,19}")
 HASH = re.compile(r"[0-9a-f]{64}")
 
 sys.set_int_max_str_digits(0)  # the length of a text is checked before every conversion
+reprlib.aRepr.maxstring = 70
 
 
 class Reject(Exception):
@@ -358,9 +359,10 @@ def cross(a, b):
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-def difference(p, p_denominator, q, q_denominator):
-    """A positive multiple of p − q."""
-    return tuple(x * q_denominator - y * p_denominator for x, y in zip(p, q))
+def difference(p, q):
+    """A positive multiple of the vector p − q."""
+    v, w = p[3], q[3]
+    return p[0] * w - q[0] * v, p[1] * w - q[1] * v, p[2] * w - q[2] * v
 
 
 def reduced(vectors, denominator=0):
@@ -385,10 +387,10 @@ def split_at(coefficients, a, r):
     return left, right[::-1]
 
 
-def affine(homogeneous):
-    """The hull of homogeneous control points: affine points over one denominator."""
-    w = math.lcm(*{h[3] for h in homogeneous})
-    return [tuple([x * (w // h[3]) for x in h[:3]]) for h in homogeneous], w
+def hull_of(points):
+    """The same points with the same w."""
+    w = math.lcm(*{p[3] for p in points})
+    return [tuple([x * (w // p[3]) for x in p]) for p in points]
 
 
 # ---------------------------------------------------------------- §3 the chain of pieces
@@ -430,9 +432,7 @@ class Piece:
         return reduced(homogeneous)[0], reduced(d, self.d_den * (r * b) ** (len(d) - 1))
 
     def point(self, u):
-        """c(u) as vector and denominator."""
-        (x, y, z, w), = split_at(self.homogeneous, u.numerator, u.denominator)[0][-1:]
-        return (x, y, z), w
+        return split_at(self.homogeneous, u.numerator, u.denominator)[0][-1]
 
     def direction(self, u, where):
         """The direction at u (§6, `root`), up to a positive factor."""
@@ -456,9 +456,7 @@ class Chain:
             chain = bspline_pieces(curve.spline[0], curve.spline[1][1], *chain[0])
         self.pieces = [Piece(points, scale, index) for index, (points, scale) in enumerate(chain)]
         self.size = len(self.pieces)
-        x, x_den = self.pieces[0].point(Fraction(0))
-        y, y_den = self.pieces[-1].point(Fraction(1))
-        self.closed = not any(difference(x, x_den, y, y_den))
+        self.closed = not any(difference(self.pieces[0].homogeneous[0], self.pieces[-1].homogeneous[-1]))
 
     def directions(self, joint):
         """Incoming and outgoing direction at a joint, each with its denominator."""
@@ -539,7 +537,7 @@ class Part(Node):
 
     @cached_property
     def hull(self):
-        return affine(self.homogeneous)
+        return hull_of(self.homogeneous)
 
     @cached_property
     def tangents(self):
@@ -558,7 +556,7 @@ class Part(Node):
 class Point(Node):
     def __init__(self, parameter, place, directions, ends=""):
         self.start = self.end = parameter << MAX_DEPTH
-        self.hull = [place[0]], place[1]
+        self.hull = [place]
         self.tangents = [([v], denominator) for v, denominator in directions]
         self.ends = frozenset(ends)
 
@@ -586,18 +584,17 @@ class Run(Node):
         low, high = [], []
         for child in self.children:
             if isinstance(child, Run):
-                corners = child.box
+                low.append(child.box[0])
+                high.append(child.box[1])
             else:
-                points, w = child.hull
-                corners = ([min(p[axis] << self.grid for p in points) // w for axis in range(3)],
-                           [-(-max(p[axis] << self.grid for p in points) // w) for axis in range(3)])
-            low.append(corners[0])
-            high.append(corners[1])
+                axes, w = list(zip(*child.hull))[:3], child.hull[0][3]
+                low.append([(min(x) << self.grid) // w for x in axes])
+                high.append([-(-(max(x) << self.grid) // w) for x in axes])
         return [min(x) for x in zip(*low)], [max(x) for x in zip(*high)]
 
     @cached_property
     def hull(self):
-        return sorted(set(itertools.product(*zip(*self.box)))), 1 << self.grid
+        return sorted(set(itertools.product(*zip(*self.box), [1 << self.grid])))
 
     @cached_property
     def tangents(self):
@@ -674,8 +671,8 @@ class Cover:
     def far(self, a, b, *n):
         if self.lower is None:
             raise Reject("expected no 'far' under lower_squared \"inf\"")
-        (points_a, w_a), (points_b, w_b), n = a.hull, b.hull, (*n, 0)[:3]
-        gap = min(dot(n, p) for p in points_a) * w_b - max(dot(n, q) for q in points_b) * w_a
+        n, w_a, w_b = (*n, 0)[:3], a.hull[0][3], b.hull[0][3]
+        gap = min(dot(n, p) for p in a.hull) * w_b - max(dot(n, q) for q in b.hull) * w_a
         scale = w_a * w_b
         if gap <= 0:
             raise Reject(f"expected g > 0, found g = {shown(Fraction(gap, scale))}")
@@ -688,10 +685,9 @@ class Cover:
             raise Reject("expected two different nodes")
         if (a.ends and alpha > 0) or (b.ends and beta > 0):
             raise Reject("expected α ≤ 0, β ≤ 0 at an end of the curve")
-        (points_a, w_a), (points_b, w_b) = a.hull, b.hull
-        for i, p in enumerate(points_a):
-            for k, q in enumerate(points_b):
-                if not combination_positive(difference(p, w_a, q, w_b), a.tangents, alpha, b.tangents, beta):
+        for i, p in enumerate(a.hull):
+            for k, q in enumerate(b.hull):
+                if not combination_positive(difference(p, q), a.tangents, alpha, b.tangents, beta):
                     raise Reject(f"expected (p−q)·(αv+βw) > 0, found a value ≤ 0 at hull points {i} and {k}")
 
     def require_neighbours(self, a, b):
@@ -757,11 +753,9 @@ class Interval:
         self.sections = [(chain.pieces[math.floor(a) % size], a - math.floor(a), b - math.floor(a))
                          for a, b in zip(cuts, cuts[1:])]
         whole = list(self.subsections(1))
-        self.hulls, self.tangents = [hull for hull, _ in whole], [d for _, d in whole]
-        (points, w), (points1, w1) = self.hulls[0], self.hulls[-1]
-        self.ends = (points[0], w), (points1[-1], w1)
+        self.points, self.tangents = [p for points, _ in whole for p in points], [d for _, d in whole]
         (d, den), (d1, den1) = self.tangents[0], self.tangents[-1]
-        self.end_tangents = ([d[0]], den), ([d1[-1]], den1)
+        self.ends = (self.points[0], ([d[0]], den)), (self.points[-1], ([d1[-1]], den1))
 
     def require_regular(self, m, where):
         """Smooth joints inside only, and m·v > 0 for all tangents."""
@@ -772,12 +766,11 @@ class Interval:
             raise Reject(f"{self.where}: expected m·v > 0 for all tangents, found a value ≤ 0")
 
     def subsections(self, count):
-        """(hull, tangents) of the equal sub-sections of every section."""
+        """(points, tangents) of the equal sub-sections of every section."""
         for piece, u0, u1 in self.sections:
             step = (u1 - u0) / count
             for i in range(count):
-                h, d = piece.restricted(u0 + step * i, u0 + step * (i + 1))
-                yield affine(h), d
+                yield piece.restricted(u0 + step * i, u0 + step * (i + 1))
 
 
 def two_intervals(chain, rule):
@@ -800,28 +793,27 @@ def two_parameters(chain, rule):
 
 
 def place(chain, s):
-    """c(s) as vector and denominator."""
+    """The point c(s)."""
     piece, u = chain.locate(s, "before" if s == chain.size else "after", "upper")
     return piece.point(u)
 
 
-def require_short(hulls_a, hulls_b, upper):
-    for points_a, w_a in hulls_a:
-        for points_b, w_b in hulls_b:
-            scale = (w_a * w_b) ** 2
-            for x in (difference(p, w_a, q, w_b) for p in points_a for q in points_b):
-                if dot(x, x) * upper.denominator > upper.numerator * scale:
-                    raise Reject(f"upper: expected squared lengths ≤ {shown(upper)}, found more")
+def require_short(points, others, upper):
+    for p, q in itertools.product(points, others):
+        x = difference(p, q)
+        if dot(x, x) * upper.denominator > upper.numerator * (p[3] * q[3]) ** 2:
+            found = Fraction(dot(x, x), (p[3] * q[3]) ** 2)
+            raise Reject(f"upper: expected squared lengths ≤ {shown(upper)}, found {shown(found)}")
 
 
 def require_signs(own, others, orientation, positive):
-    """With x = orientation·(end of own − q): x has to be negative at the start, positive at the end, for all q."""
-    for (points, w), tangents in others:
+    """orientation·(end of own − q) has to be on the negative side at the start, on the positive at the end."""
+    for points, tangents in others:
         for side, sign in ((0, -orientation), (1, orientation)):
-            end, end_w = own.ends[side]
+            end, direction = own.ends[side]
             for q in points:
-                x = tuple(sign * c for c in difference(end, end_w, q, w))
-                if not positive(x, own.end_tangents[side], tangents):
+                x = difference(end, q)
+                if not positive((sign * x[0], sign * x[1], sign * x[2]), direction, tangents):
                     raise Reject(f"{own.where}[{side}]: expected a value {'<>'[side]} 0 on this edge, found another sign")
 
 
@@ -835,7 +827,7 @@ def check_miranda(chain, rule, upper):
         raise Reject("upper: expected α₁β₂ ≠ α₂β₁, found equality")
     require_signs(i, j.subsections(m), 1, lambda x, d, w: combination_positive(x, [d], alpha1, [w], beta1))
     require_signs(j, i.subsections(m), -1, lambda x, d, v: combination_positive(x, [v], alpha2, [d], beta2))
-    require_short(i.hulls, j.hulls, upper)
+    require_short(i.points, j.points, upper)
 
 
 def check_crossing(chain, rule, _upper):
@@ -854,17 +846,16 @@ def check_root(chain, rule, upper):
         where = f"upper.{name}_side"
         allowed = ("after", "before") if s.denominator == 1 else ("after",)
         located.append(chain.locate(s, json_string(rule[name + "_side"], where, *allowed), where))
-    (p, p_w), (q, q_w) = (piece.point(u) for piece, u in located)
-    x = difference(p, p_w, q, q_w)
+    p, q = (piece.point(u) for piece, u in located)
     for (piece, u), name in zip(located, "st"):
-        if dot(x, piece.direction(u, f"upper.{name}")):
+        if dot(difference(p, q), piece.direction(u, f"upper.{name}")):
             raise Reject(f"upper: the chord is not orthogonal to the direction at {name}")
-    require_short([([p], p_w)], [([q], q_w)], upper)
+    require_short([p], [q], upper)
 
 
 def check_touch(chain, rule, _upper):
     s, t = two_parameters(chain, rule)
-    if any(difference(*place(chain, s), *place(chain, t))):
+    if any(difference(place(chain, s), place(chain, t))):
         raise Reject("upper: the points at s and t differ")
 
 
@@ -883,12 +874,11 @@ def is_critical(chain, s, x):
 
 def check_critical_root(chain, rule, upper):
     s, t = two_parameters(chain, rule)
-    (p, p_w), (q, q_w) = place(chain, s), place(chain, t)
-    if not is_critical(chain, s, difference(q, q_w, p, p_w)):
-        raise Reject("upper: the chord is not critical at s")
-    if not is_critical(chain, t, difference(p, p_w, q, q_w)):
-        raise Reject("upper: the chord is not critical at t")
-    require_short([([p], p_w)], [([q], q_w)], upper)
+    p, q = place(chain, s), place(chain, t)
+    for name, at, chord in (("s", s, difference(q, p)), ("t", t, difference(p, q))):
+        if not is_critical(chain, at, chord):
+            raise Reject(f"upper: the chord is not critical at {name}")
+    require_short([p], [q], upper)
 
 
 def check_critical_interval(chain, rule, upper):
@@ -899,8 +889,8 @@ def check_critical_interval(chain, rule, upper):
     if j.start <= s <= j.end or (chain.closed and j.start <= s + chain.size <= j.end):
         raise Reject("upper.t: the interval contains s")
     j.require_regular(rule["regular"], "upper.regular")
-    e, e_w = place(chain, s)
-    chords = [difference(q, w, e, e_w) for points, w in j.hulls for q in points]
+    e = place(chain, s)
+    chords = [difference(q, e) for q in j.points]
     if is_end:
         critical = all(is_critical(chain, s, x) for x in chords)
     else:
@@ -908,10 +898,10 @@ def check_critical_interval(chain, rule, upper):
         critical = any(all(sign * dot(x, a) >= 0 >= sign * dot(x, b) for x in chords) for sign in (1, -1))
     if not critical:
         raise Reject("upper: not every chord is seen to be critical at s")
-    signs = [dot(difference(point, w, e, e_w), d[0]) for (point, w), (d, _) in zip(j.ends, j.end_tangents)]
+    signs = [dot(difference(point, e), d[0]) for point, (d, _) in j.ends]
     if not min(signs) < 0 < max(signs):
         raise Reject("upper: expected opposite signs at the ends of the interval")
-    require_short([([e], e_w)], j.hulls, upper)
+    require_short([e], j.points, upper)
 
 
 UPPER_RULES = {

@@ -338,7 +338,7 @@ class Geometry(Checks):
             for u in (F(0), F(1, 3), F(3, 4)):
                 t = a + u * (b - a)
                 total = sum(basis(i, p, t) * w for i, w in enumerate(weights))
-                (x, y, _), den = made.point(u)
+                x, y, _, den = made.point(u)
                 self.assertEqual((F(x, den), F(y, den)), tuple(
                     sum(basis(i, p, t) * w * q[axis] for i, (w, q) in enumerate(zip(weights, points))) / total
                     for axis in range(2)))
@@ -346,7 +346,7 @@ class Geometry(Checks):
     def test_box_of_a_run_is_rounded_outwards(self):
         curve = check.curve_from_json(polygon(("1/3", "-1/3"), ("2/3", 0), ("1/2", "1/3")))
         whole = check.Cover(check.Chain(curve), False, 2, F(1)).whole
-        self.assertEqual(whole.hull, ([(1, -2, 0), (1, 2, 0), (3, -2, 0), (3, 2, 0)], 4))
+        self.assertEqual(whole.hull, [(1, -2, 0, 4), (1, 2, 0, 4), (3, -2, 0, 4), (3, 2, 0, 4)])
 
 
 class Tree(Checks):
