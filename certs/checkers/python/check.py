@@ -234,7 +234,7 @@ def varint(number):
 
 
 def curve_block(curve):
-    """The bytes of the curve block, bit by bit."""
+    """The curve block, in many small strings of bytes."""
     def vector_bytes(q, numerators):
         yield varint(q)
         for n in numerators:
@@ -820,9 +820,10 @@ def require_signs(own, others, orientation, positive):
 def check_miranda(chain, rule, upper):
     i, j = two_intervals(chain, rule)
     m = json_integer(rule["subdivisions"], "upper.subdivisions", 1, MAX_SUBSECTIONS)
-    (alpha1, beta1), (alpha2, beta2) = (json_numbers(rule[name], "upper." + name, 2, True) for name in ("first", "second"))
-    for interval, vector_m in zip((i, j), json_list(rule["regular"], "upper.regular", 2)):
-        interval.require_regular(vector_m, "upper.regular")
+    alpha1, beta1 = json_numbers(rule["first"], "upper.first", 2, True)
+    alpha2, beta2 = json_numbers(rule["second"], "upper.second", 2, True)
+    for interval, m_own in zip((i, j), json_list(rule["regular"], "upper.regular", 2)):
+        interval.require_regular(m_own, "upper.regular")
     if alpha1 * beta2 == alpha2 * beta1:
         raise Reject("upper: expected α₁β₂ ≠ α₂β₁, found equality")
     require_signs(i, j.subsections(m), 1, lambda x, d, w: combination_positive(x, [d], alpha1, [w], beta1))
@@ -916,7 +917,7 @@ UPPER_RULES = {
 
 def check_upper(chain, rule, upper, critical):
     name = rule.get("rule") if isinstance(rule, dict) else None
-    rules = [name for name in UPPER_RULES if critical or not name.startswith("critical")]
+    rules = [each for each in UPPER_RULES if critical or not each.startswith("critical")]
     check, names = UPPER_RULES[json_string(name, "evidence.upper: rule", *rules)]
     check(chain, fields(rule, "evidence.upper", names), upper)
 
