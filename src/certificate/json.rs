@@ -35,6 +35,25 @@ impl<'de: 'a, 'a> Deserialize<'de> for Text<'a> {
     }
 }
 
+/// A JSON object; a structure alone would also be read from an array.
+struct Object<T>(T);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Object<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Maps<T>(std::marker::PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Maps<T> {
+            type Value = Object<T>;
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("an object")
+            }
+            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+                T::deserialize(de::value::MapAccessDeserializer::new(map)).map(Object)
+            }
+        }
+        deserializer.deserialize_map(Maps(std::marker::PhantomData))
+    }
+}
+
 /// `"binary"` in the header of the binary form.
 struct InBlock;
 
@@ -60,9 +79,9 @@ struct RawDocument<'a, C, T> {
     #[serde(borrow)]
     curve_sha256: Text<'a>,
     #[serde(borrow)]
-    statement: RawStatement<'a>,
-    #[serde(borrow)]
-    evidence: RawEvidence<'a, T>,
+    statement: Object<RawStatement<'a>>,
+    #[serde(borrow, bound(deserialize = "T: Deserialize<'de>"))]
+    evidence: Object<RawEvidence<'a, T>>,
 }
 
 #[derive(Deserialize)]
@@ -85,7 +104,7 @@ struct RawEvidence<'a, T> {
     #[serde(deserialize_with = "required")]
     tree: Option<T>,
     #[serde(borrow, deserialize_with = "required")]
-    upper: Option<RawUpper<'a>>,
+    upper: Option<Object<RawUpper<'a>>>,
 }
 
 /// A field that may be missing but not null.
@@ -160,9 +179,9 @@ enum RawUpper<'a> {
 #[serde(deny_unknown_fields)]
 struct RawCurve<'a> {
     #[serde(default, borrow, deserialize_with = "optional")]
-    bspline: Option<RawSpline<'a>>,
+    bspline: Option<Object<RawSpline<'a>>>,
     #[serde(default, borrow, deserialize_with = "optional")]
-    bezier: Option<RawPieces<'a>>,
+    bezier: Option<Object<RawPieces<'a>>>,
 }
 
 #[derive(Deserialize)]
@@ -181,7 +200,7 @@ struct RawSpline<'a> {
 #[serde(deny_unknown_fields)]
 struct RawPieces<'a> {
     #[serde(borrow)]
-    pieces: Vec<RawPiece<'a>>,
+    pieces: Vec<Object<RawPiece<'a>>>,
 }
 
 #[derive(Deserialize)]
@@ -210,6 +229,7 @@ fn rational(text: &Text, place: &str) -> Parsed<Rational> {
 
 fn integer(text: &Text, place: &str) -> Parsed<Integer> {
     canonical_integer(&text.0)
+        .filter(|integer| integer.bits() <= MAXIMUM_BITS)
         .ok_or_else(|| FormatError::malformed(place, format!("found {:?}, expected a canonical integer", shortened(&text.0))))
 }
 
@@ -254,7 +274,7 @@ fn curve(raw: RawCurve) -> Parsed<Curve> {
     let refuse = |place: &str, error: crate::curve::CurveError| FormatError::malformed(place, error.to_string());
     let dimension_of = |points: &[Vec<Text>]| points.first().map_or(0, Vec::len);
     match (raw.bspline, raw.bezier) {
-        (Some(spline), None) => {
+        (Some(Object(spline)), None) => {
             let place = "curve.bspline";
             let dimension = dimension_of(&spline.points);
             let data = BSpline::new(
@@ -267,13 +287,13 @@ fn curve(raw: RawCurve) -> Parsed<Curve> {
             let data = data.map_err(|error| refuse(place, error))?;
             Curve::new(dimension, Form::BSpline(data)).map_err(|error| refuse(place, error))
         }
-        (None, Some(chain)) => {
+        (None, Some(Object(chain))) => {
             if chain.pieces.len() > MAXIMUM_PIECES {
                 return Err(FormatError::malformed("curve.bezier.pieces", "too many pieces"));
             }
-            let dimension = chain.pieces.first().map_or(0, |piece| dimension_of(&piece.points));
+            let dimension = chain.pieces.first().map_or(0, |piece| dimension_of(&piece.0.points));
             let mut pieces = Vec::with_capacity(chain.pieces.len());
-            for (i, piece) in chain.pieces.iter().enumerate() {
+            for (i, Object(piece)) in chain.pieces.iter().enumerate() {
                 let place = format!("curve.bezier.pieces[{i}]");
                 let coordinates = points(&piece.points, dimension, &place)?;
                 let weights = piece.weights.as_ref().map(|weights| numbers(weights.iter(), &place)).transpose()?;
@@ -326,19 +346,20 @@ fn header_of<C, T>(raw: RawDocument<'_, C, T>) -> Parsed<(Header, C, Option<T>)>
         return Err(FormatError::malformed("knotproof", what));
     }
     let text = |text: Text| text.0.into_owned();
-    let statement = statement(&raw.statement)?;
-    let owned = raw.evidence.upper.map(RawUpper::into_owned);
+    let statement = statement(&raw.statement.0)?;
+    let evidence = raw.evidence.0;
+    let owned = evidence.upper.map(|upper| upper.0.into_owned());
     let header = Header {
         tool: text(raw.tool),
         name: raw.name.map(text),
         snapped_joints: raw.snapped_joints,
         stated_hash: text(raw.curve_sha256),
         statement,
-        grid: raw.evidence.grid,
+        grid: evidence.grid,
         upper: Box::new(move |dimension| owned.map(|raw| upper(&raw, dimension)).transpose()),
-        has_tree: raw.evidence.tree.is_some(),
+        has_tree: evidence.tree.is_some(),
     };
-    Ok((header, raw.curve, raw.evidence.tree))
+    Ok((header, raw.curve, evidence.tree))
 }
 
 fn statement(raw: &RawStatement) -> Parsed<Statement> {
@@ -450,8 +471,8 @@ fn parse<'a, T: Deserialize<'a>>(text: &'a [u8]) -> Parsed<T> {
 
 /// Reads the JSON form; the tokens come back as texts.
 pub fn read(text: &[u8]) -> Parsed<(Document, Vec<String>)> {
-    let raw: RawDocument<RawCurve, Vec<String>> = parse(text)?;
-    let (header, raw_curve, tree) = header_of(raw)?;
+    let Object(raw): Object<RawDocument<Object<RawCurve>, Vec<String>>> = parse(text)?;
+    let (header, Object(raw_curve), tree) = header_of(raw)?;
     let curve = curve(raw_curve)?;
     let hash = block::curve_sha256(&curve);
     Ok((header.into_document(curve, &hash)?, tree.unwrap_or_default()))
@@ -459,7 +480,7 @@ pub fn read(text: &[u8]) -> Parsed<(Document, Vec<String>)> {
 
 /// Reads the header of the binary form.
 pub fn read_header(text: &[u8]) -> Parsed<Header> {
-    let raw: RawDocument<InBlock, InBlock> = parse(text)?;
+    let Object(raw): Object<RawDocument<InBlock, InBlock>> = parse(text)?;
     header_of(raw).map(|(header, _, _)| header)
 }
 

@@ -134,7 +134,8 @@ fn narrow_box(points: &[[i64; 3]], denominator: i64, grid: u32) -> Option<GridBo
         let (low, high) = (i128::from(low).doubled(grid)?, i128::from(high).doubled(grid)?);
         let denominator = i128::from(denominator);
         bounds[0][axis] = low.div_euclid(denominator);
-        bounds[1][axis] = -(-high).div_euclid(denominator);
+        // ⌈x⌉ = −⌊−x⌋; the least integer has no negative.
+        bounds[1][axis] = -high.checked_neg()?.div_euclid(denominator);
     }
     Some(bounds)
 }
