@@ -363,7 +363,14 @@ impl Work<'_> {
             }
             let lower = Lower::Finite(below(&start, &width));
             match self.attempt(&lower, self.budget())? {
-                Attempt::Proved(tree, leaves) => proved = Some((lower, tree, leaves)),
+                Attempt::Proved(tree, leaves) => {
+                    // Where the number of leaves grows steadily, the next step's is foreseeable.
+                    let before = proved.as_ref().map_or(leaves, |(_, _, leaves)| *leaves);
+                    proved = Some((lower, tree, leaves));
+                    if leaves > 2 * before && leaves.saturating_mul(leaves / before.max(1)) > self.budget() {
+                        break;
+                    }
+                }
                 Attempt::Event(_) => break,
             }
         }
