@@ -1,0 +1,31 @@
+//! `knotproof certify`: proves a claim about a curve.
+
+mod atomic_file;
+mod msd;
+mod progress;
+mod report;
+
+use clap::{Args, Subcommand};
+
+use super::Exit;
+use super::failure::Failure;
+
+/// Proves a claim about a curve and writes the proof down as a certificate.
+#[derive(Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    claim: Claim,
+}
+
+#[derive(Subcommand)]
+enum Claim {
+    /// The minimum separation distance σ: the length of the shortest double normal.
+    Msd(Box<msd::Arguments>),
+}
+
+/// Runs the subcommand.
+pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
+    match arguments.claim {
+        Claim::Msd(arguments) => msd::run(*arguments),
+    }
+}
