@@ -7,11 +7,11 @@ use knotproof::number::{
 };
 use serde::Serialize;
 
-/// Decimals of a bound that stands alone.
+/// Digits of a bound that stands alone.
 const DIGITS_ALONE: usize = 17;
-/// At least so many decimals are printed for people.
+/// At least so many digits of an interval are printed for people.
 const DIGITS_AT_LEAST: usize = 6;
-/// √ is enclosed this closely before widths are computed; twice the finest width asked for.
+/// √ is enclosed this closely before widths are computed; 1e-30 is 2^-100.
 const ROOT_BITS: u32 = 256;
 
 /// The bounds of a statement, exactly and as decimals.
@@ -51,7 +51,7 @@ fn decimals(statement: &Statement, digits: usize) -> (Option<String>, Option<Str
     };
     let upper = statement.upper_squared.as_ref();
     let digits = match (lower, upper) {
-        (Some(lower), Some(upper)) => {
+        (Some(lower), Some(upper)) if !lower.numer().is_zero() => {
             let (lower, upper) = (
                 sqrt_enclosure(lower, ROOT_BITS).0,
                 sqrt_enclosure(upper, ROOT_BITS).1,
@@ -66,16 +66,14 @@ fn decimals(statement: &Statement, digits: usize) -> (Option<String>, Option<Str
     )
 }
 
-/// An upper bound of (upper − lower)/upper as a short decimal; nothing without an upper bound above 0.
+/// An upper bound of (upper − lower)/upper as a short decimal; nothing without two bounds above 0.
 #[cfg(feature = "prove")]
 pub fn relative_width(statement: &Statement) -> Option<String> {
-    let Lower::Finite(lower) = &statement.lower_squared else {
-        return None;
+    let lower = match &statement.lower_squared {
+        Lower::Finite(lower) if !lower.numer().is_zero() => lower,
+        _ => return None,
     };
-    let upper = statement
-        .upper_squared
-        .as_ref()
-        .filter(|upper| !upper.numer().is_zero())?;
+    let upper = statement.upper_squared.as_ref()?;
     let (lower, upper) = (
         sqrt_enclosure(lower, ROOT_BITS).0,
         sqrt_enclosure(upper, ROOT_BITS).1,
@@ -91,9 +89,12 @@ pub fn in_words(statement: &Statement) -> String {
             "σ is 0, the curve passes twice through a point".into()
         }
         (Some(lower), Some(upper)) if lower == upper => format!("σ is exactly {lower}"),
+        (Some(lower), Some(upper)) if lower == "0" => {
+            format!("σ at most {upper}, no lower bound above 0")
+        }
         (Some(lower), Some(upper)) => format!("σ between {lower} and {upper}"),
         (Some(lower), None) if lower == "0" => {
-            "nothing is stated: σ at least 0, no upper bound".into()
+            "nothing of σ: no lower bound above 0, no upper bound".into()
         }
         (Some(lower), None) => format!("σ at least {lower}, no upper bound"),
     }

@@ -13,7 +13,9 @@ use super::input::{Input, Noting, standard_input_once};
 use super::output::{complain, say, say_json};
 use super::{Exit, Printing};
 
-/// Replays the evidence of certificates in exact arithmetic, with none of the code that found it.
+/// Check certificates: replay their evidence in exact arithmetic
+///
+/// The checker uses none of the code that finds evidence, and no floating-point numbers. An accepted statement is proved.
 ///
 /// For each file one line says whether its statement is proved. With several files the exit code is the worst: 2 when one
 /// cannot be read, else 1 when one is rejected, else 0.
@@ -123,6 +125,10 @@ fn judge(input: &Input, wanted: Option<&Wanted>) -> Result<Outcome, Failure> {
     }
     let (document, leaves) = match verdict {
         Verdict::Accepted { document, leaves } => (document, leaves),
+        Verdict::Malformed(_) if input.is_curve_file() => {
+            let reason = "found a curve file, expected a certificate; certify makes one of it";
+            return Ok(rejected(None, reason.into()));
+        }
         Verdict::Malformed(error) => return Ok(malformed(error)),
         Verdict::Rejected { rejection, .. } => {
             return Ok(rejected(

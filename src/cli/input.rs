@@ -55,6 +55,14 @@ impl Input {
         Failure::io(self, "cannot be read", error)
     }
 
+    /// Is it a regular file that holds a curve?
+    pub fn is_curve_file(&self) -> bool {
+        match self {
+            Input::File(path) if path.is_file() => self.read_curve(true).is_ok(),
+            _ => false,
+        }
+    }
+
     /// Reads it as a curve file.
     pub fn read_curve(&self, snap_joints: bool) -> Result<CurveFile, Failure> {
         let mut text = Vec::new();

@@ -30,10 +30,8 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Prove a claim about a curve, and write the certificate.
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
-    /// Check certificates: replay their evidence in exact arithmetic.
     Check(check::Arguments),
 }
 

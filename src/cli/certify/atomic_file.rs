@@ -64,14 +64,22 @@ impl AtomicFile {
             Some(parent) if parent != Path::new("") => parent,
             _ => Path::new("."),
         };
+        if !directory.is_dir() {
+            let what = format!(
+                "cannot be written: there is no directory {}",
+                directory.display()
+            );
+            return Err(Failure::at(self.shown.display(), what));
+        }
         let mut builder = Builder::new();
         builder.prefix(PREFIX).suffix(SUFFIX);
         // Readable by whom new files are readable, not by the owner alone.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        // The error's own text names a file that the user never asked for.
         builder
             .tempfile_in(directory)
-            .map_err(|error| self.failure(&error))
+            .map_err(|error| self.failure(&error.kind().into()))
     }
 
     /// Moves a finished file to its place; returns its size in bytes.

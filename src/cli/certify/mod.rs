@@ -10,7 +10,7 @@ use clap::{Args, Subcommand};
 use super::Exit;
 use super::failure::Failure;
 
-/// Proves a claim about a curve and writes the proof down as a certificate.
+/// Prove a claim about a curve, and write the certificate.
 #[derive(Args)]
 pub struct Arguments {
     #[command(subcommand)]
@@ -19,7 +19,6 @@ pub struct Arguments {
 
 #[derive(Subcommand)]
 enum Claim {
-    /// The minimum separation distance σ: the length of the shortest double normal.
     Msd(Box<msd::Arguments>),
 }
 

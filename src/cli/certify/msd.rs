@@ -19,12 +19,11 @@ use crate::cli::input::Input;
 use crate::cli::output::{say, say_json};
 use crate::cli::{Exit, Printing};
 
-/// Certifies the minimum separation distance σ of a curve: the length of its shortest double normal, a chord orthogonal to
-/// the curve at both ends.
+/// The minimum separation distance σ: the length of the shortest double normal
 ///
-/// Prints an interval that contains σ, and where on the curve. What is printed as certified has been replayed by the checker,
-/// with or without -o. When the interval asked for cannot be proved, the exit code is 3, and what could be proved is
-/// printed and written.
+/// A double normal is a chord orthogonal to the curve at both ends. The output is an interval that contains σ and the place
+/// on the curve. All that is printed as proved has been replayed by the checker, with or without -o. When the interval asked
+/// for cannot be proved, the exit code is 3, and what could be proved is printed and written.
 #[derive(Args)]
 pub struct Arguments {
     /// The curve, a file of version curve/1; "-" is standard input.
@@ -33,7 +32,7 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t = ConventionName::Smooth)]
     convention: ConventionName,
     /// How far apart the bounds may be, relative to the upper one: a decimal or a fraction from 1e-30 to 1e-1.
-    #[arg(long, value_name = "WIDTH", default_value = "1e-12", value_parser = parse_width)]
+    #[arg(long, value_name = "WIDTH", default_value = "1e-12", allow_negative_numbers = true, value_parser = parse_width)]
     rel_width: Width,
     /// How many leaves the proof may have at most [default: 2,000,000 and 64 for each piece]
     #[arg(long, value_name = "LEAVES", value_parser = clap::value_parser!(u64).range(1..))]

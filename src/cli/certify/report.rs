@@ -207,7 +207,7 @@ impl Report<'_> {
             .map(|end| format!("piece {} at {}", end.piece, parameter(&end.local)));
         writeln!(
             text,
-            "  between the {parameters} {s} and {t} ({on_s}, {on_t}; pieces count from 0)"
+            "  where: {parameters} {s} and {t} ({on_s}, {on_t}, pieces counted from 0)"
         )
     }
 
@@ -248,7 +248,7 @@ fn describe(rule: &Upper) -> (&'static str, &'static str) {
     match rule {
         Upper::Miranda { .. } => (
             "miranda",
-            "a double normal is enclosed by signs around a box of parameters",
+            "a double normal, enclosed by signs around a box of parameters",
         ),
         Upper::Root { .. } => ("root", "an exact double normal"),
         Upper::Touch { .. } => (
