@@ -32,7 +32,7 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t = ConventionName::Smooth)]
     convention: ConventionName,
     /// How far apart the bounds may be, relative to the upper one: a decimal or a fraction from 1e-30 to 1e-1.
-    #[arg(long, value_name = "WIDTH", default_value = "1e-12", allow_negative_numbers = true, value_parser = parse_width)]
+    #[arg(long, value_name = "WIDTH", default_value = "1e-12", allow_hyphen_values = true, value_parser = parse_width)]
     rel_width: Width,
     /// How many leaves the proof may have at most [default: 2,000,000 and 64 for each piece]
     #[arg(long, value_name = "LEAVES", value_parser = clap::value_parser!(u64).range(1..))]
