@@ -2,8 +2,7 @@
 
 use knotproof::claim::msd::{Lower, Statement};
 use knotproof::number::{
-    Rational, RationalExt, decimal_up, interval_digits, sqrt_decimal_down, sqrt_decimal_up,
-    sqrt_enclosure,
+    Rational, RationalExt, interval_digits, sqrt_decimal_down, sqrt_decimal_up, sqrt_enclosure,
 };
 use serde::Serialize;
 
@@ -78,7 +77,10 @@ pub fn relative_width(statement: &Statement) -> Option<String> {
         sqrt_enclosure(lower, ROOT_BITS).0,
         sqrt_enclosure(upper, ROOT_BITS).1,
     );
-    Some(decimal_up(&((&upper - lower) / &upper), 2))
+    Some(knotproof::number::decimal_up(
+        &((&upper - lower) / &upper),
+        2,
+    ))
 }
 
 /// What a statement says of σ, for people, without a verb at its beginning.
