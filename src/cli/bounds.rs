@@ -96,7 +96,7 @@ pub fn in_words(statement: &Statement) -> String {
         }
         (Some(lower), Some(upper)) => format!("σ between {lower} and {upper}"),
         (Some(lower), None) if lower == "0" => {
-            "nothing of σ: no lower bound above 0, no upper bound".into()
+            "nothing about σ, neither a lower bound above 0 nor an upper bound".into()
         }
         (Some(lower), None) => format!("σ at least {lower}, no upper bound"),
     }

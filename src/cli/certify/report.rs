@@ -188,6 +188,7 @@ impl Report<'_> {
                 written.path.display(),
                 written.bytes
             )?,
+            None if empty && statement.upper_squared.is_none() => {}
             None => writeln!(
                 text,
                 "  the evidence was accepted by the checker and not kept; -o CERT writes it"
