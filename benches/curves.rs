@@ -1,6 +1,8 @@
 //! The curves that are timed, in memory.
 
-#[allow(dead_code)]
+// Each bench uses its own part of this file.
+#![allow(dead_code)]
+
 #[path = "chains.rs"]
 pub mod chains;
 

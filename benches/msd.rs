@@ -2,6 +2,8 @@
 //!
 //! `cargo bench --bench msd`. The curves are A, B, C, D, F, W, Wr of docs/BENCHMARKS.md.
 
+#![allow(missing_docs)] // the group that criterion's macro makes
+
 mod curves;
 
 use std::hint::black_box;

@@ -32,13 +32,13 @@ impl Boxes {
 
     /// Computes the boxes on the grid 2^-`grid`.
     pub fn new(chain: &Chain, elements: &Elements, grid: u32) -> Self {
-        let runs = elements.len().saturating_sub(1);
+        let runs = elements.count().saturating_sub(1);
         let mut narrow = Vec::with_capacity(runs);
-        if fill::<i64>(chain, elements, grid, 0, elements.len(), &mut narrow).is_some() {
+        if fill::<i64>(chain, elements, grid, 0, elements.count(), &mut narrow).is_some() {
             return Boxes::Narrow(narrow);
         }
         let mut large = Vec::with_capacity(runs);
-        fill::<Integer>(chain, elements, grid, 0, elements.len(), &mut large).expect("unbounded integers do not overflow");
+        fill::<Integer>(chain, elements, grid, 0, elements.count(), &mut large).expect("unbounded integers do not overflow");
         Boxes::Large(large)
     }
 

@@ -211,7 +211,7 @@ impl<'n, 's> Search<'n, 's> {
     fn stuck(&self, a: &Node, b: Option<&Node>, contact: Contact) -> Event {
         let location = |node: &Node| match node.kind {
             Kind::Point(Element::Corner(joint)) => (joint, 0.0),
-            Kind::Point(Element::End) => (self.nodes.context.chain.len() - 1, 1.0),
+            Kind::Point(Element::End) => (self.nodes.context.chain.count() - 1, 1.0),
             _ => node.middle().unwrap_or((0, 0.0)),
         };
         let second = b.unwrap_or(a);
@@ -284,7 +284,7 @@ impl<'n, 's> Search<'n, 's> {
         let location = |node: &ExactNode| match node {
             ExactNode::Part(part) => (part.piece, (part.index as f64 + 0.5) / 2f64.powi(part.depth as i32)),
             ExactNode::Point(Element::Corner(joint)) => (*joint, 0.0),
-            ExactNode::Point(Element::End) => (context.chain.len() - 1, 1.0),
+            ExactNode::Point(Element::End) => (context.chain.count() - 1, 1.0),
             _ => (0, 0.0),
         };
         let second = b.unwrap_or(a);

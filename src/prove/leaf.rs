@@ -74,10 +74,10 @@ pub fn far(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> Option<Leaf> {
         }
     }
     let between = dot(&apart, &apart).sqrt();
-    if between > target.length {
-        if let Some(leaf) = rounded_far(nodes, a, b, &apart, between, target) {
-            return Some(leaf);
-        }
+    if between > target.length
+        && let Some(leaf) = rounded_far(nodes, a, b, &apart, between, target)
+    {
+        return Some(leaf);
     }
     if a.is_run() && b.is_run() {
         return None;

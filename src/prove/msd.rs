@@ -223,12 +223,12 @@ enum Attempt {
 
 impl Work<'_> {
     fn budget(&self) -> u64 {
-        let pieces = self.curve.context.chain.len() as u64;
+        let pieces = self.curve.context.chain.count() as u64;
         self.options.budget.unwrap_or(2_000_000 + 64 * pieces)
     }
 
     fn run(&mut self) -> Result<Found, CertifyError> {
-        let steps = 10_000 + 400 * self.curve.context.elements.len() as u64;
+        let steps = 10_000 + 400 * self.curve.context.elements.count() as u64;
         let seeds::Found { candidates, suspicious } = seeds::find(&mut self.curve.nodes(), steps.min(self.budget().saturating_mul(40).max(10_000)));
         if suspicious {
             // A point that is not regular makes every positive bound impossible; it is found faster alone.

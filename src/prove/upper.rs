@@ -69,12 +69,12 @@ impl Bounds<'_> {
 
     /// M is written 0 on a closed curve.
     fn normal(&self, s: Rational) -> Rational {
-        if self.chain.closed && s >= integer(self.chain.len()) { s - integer(self.chain.len()) } else { s }
+        if self.chain.closed && s >= integer(self.chain.count()) { s - integer(self.chain.count()) } else { s }
     }
 
     fn local(&self, s: &Rational) -> Location {
         let piece = s.numer().div_floor(s.denom()).to_u64().unwrap_or(0) as usize;
-        let piece = piece.min(self.chain.len() - 1);
+        let piece = piece.min(self.chain.count() - 1);
         (piece, (s - integer(piece)).to_f64())
     }
 
