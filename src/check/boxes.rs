@@ -158,3 +158,29 @@ fn include(bounds: &mut Option<GridBox<Integer>>, point: &[Integer; 3], weight: 
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn boxes_are_rounded_outward() {
+        // x from −1/3 to 2/3 in units of 1/4: ⌊−4/3⌋ = −2 and ⌈8/3⌉ = 3.
+        let bounds = narrow_box(&[[-1, 0, 6], [2, 3, 6]], 3, 2).unwrap();
+        assert_eq!(bounds, [[-2, 0, 8], [3, 4, 8]]);
+        let mut large = None;
+        for point in [[-1, 0, 6], [2, 3, 6]] {
+            include(&mut large, &point.map(Integer::from), &Integer::from(3), 2);
+        }
+        assert_eq!(large.unwrap(), bounds.map(|corner| corner.map(Integer::from)));
+    }
+
+    #[test]
+    fn the_least_integer_does_not_wrap() {
+        let bounds = narrow_box(&[[i64::MIN, 0, i64::MAX]], 1, 64);
+        assert_eq!(bounds, None);
+        let bounds = narrow_box(&[[i64::MIN, 0, i64::MAX]], 1, 60).unwrap();
+        assert_eq!(bounds[0], bounds[1]);
+        assert_eq!(bounds[0][0], i128::from(i64::MIN) << 60);
+    }
+}

@@ -164,3 +164,98 @@ impl Geometry<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::check::section::{Section, section};
+    use crate::curve::{Bezier, Curve, Form};
+    use crate::number::{Rational, RationalVector};
+
+    /// A planar curve of one piece; large coordinates leave 64 bits on the way.
+    fn piece(coordinates: Vec<i64>, weights: Option<Vec<i64>>) -> Curve {
+        let vector = |numbers: Vec<i64>, denominator: i64| {
+            RationalVector::from_parts(numbers.into_iter().map(Integer::from).collect(), denominator.into()).unwrap()
+        };
+        let bezier = Bezier::new(2, vector(coordinates, 3), weights.map(|weights| vector(weights, 5))).unwrap();
+        Curve::new(2, Form::Bezier(vec![bezier])).unwrap()
+    }
+
+    /// Points as fractions, whatever the integers stand for.
+    fn points(part: &Part, chain: &Chain) -> Vec<[Rational; 2]> {
+        fn of<W: Word>(block: &Block<W>, scale: &Integer) -> Vec<[Rational; 2]> {
+            let weight = |k: usize| block.weights.get(k).map_or(scale.clone(), Word::to_integer);
+            let fraction = |x: &W, k: usize| Rational::new(x.to_integer(), weight(k));
+            block.points.iter().enumerate().map(|(k, p)| [fraction(&p[0], k), fraction(&p[1], k)]).collect()
+        }
+        let scale = part.point_scale(chain).value();
+        match &part.geometry {
+            Geometry::Narrow(block) => of(block, &scale),
+            Geometry::Wide(block) => of(block, &scale),
+            Geometry::Large(block) => of(block, &scale),
+        }
+    }
+
+    fn tangents(part: &Part, chain: &Chain) -> Vec<[Rational; 2]> {
+        fn of<W: Word>(block: &Block<W>, scale: &Integer) -> Vec<[Rational; 2]> {
+            let fraction = |x: &W| Rational::new(x.to_integer(), scale.clone());
+            block.tangents.iter().map(|v| [fraction(&v[0]), fraction(&v[1])]).collect()
+        }
+        let scale = part.tangent_scale(chain).value();
+        match &part.geometry {
+            Geometry::Narrow(block) => of(block, &scale),
+            Geometry::Wide(block) => of(block, &scale),
+            Geometry::Large(block) => of(block, &scale),
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        /// Halving down a path gives the section that blossoms give directly, in every width.
+        #[test]
+        fn halves_are_sections(
+            coordinates in proptest::collection::vec(prop_oneof![-9i64..9, -(1i64 << 61)..(1i64 << 61)], 8),
+            weights in proptest::option::of(proptest::collection::vec(1i64..50, 4)),
+            path in proptest::collection::vec(any::<bool>(), 0..12),
+        ) {
+            prop_assume!(coordinates.chunks(2).any(|p| p != &coordinates[..2]));
+            let curve = piece(coordinates, weights);
+            let chain = Chain::new(&curve).unwrap();
+            let mut part = Part::whole(&chain, 0);
+            for right in &path {
+                let (left_half, right_half) = part.halves().unwrap();
+                part = if *right { right_half } else { left_half };
+            }
+            let unit = Integer::from(1) << part.depth;
+            let start = Rational::new(Integer::from(part.index), unit.clone());
+            let end = Rational::new(Integer::from(part.index) + Integer::from(1), unit);
+            let direct = section::<Integer>(&chain, &Section { piece: 0, start, end }).unwrap();
+            let hull = direct.hull();
+            let scale = hull.shared_scale().map(|scale| scale.value());
+            for ((p, weight), [x, y]) in hull.points().zip(points(&part, &chain)) {
+                let weight = weight.cloned().or_else(|| scale.clone()).unwrap();
+                prop_assert_eq!([Rational::new(p[0].clone(), weight.clone()), Rational::new(p[1].clone(), weight)], [x, y]);
+            }
+            let field_scale = direct.field_scale.value();
+            for (v, [x, y]) in direct.fields.iter().zip(tangents(&part, &chain)) {
+                let fraction = |x: &Integer| Rational::new(x.clone(), field_scale.clone());
+                prop_assert_eq!([fraction(&v[0]), fraction(&v[1])], [x, y]);
+            }
+        }
+    }
+
+    #[test]
+    fn parts_are_halved_120_times_and_no_more() {
+        let curve = piece(vec![0, 0, 1, 2, 5, 1, 7, 7], None);
+        let chain = Chain::new(&curve).unwrap();
+        let mut part = Part::whole(&chain, 0);
+        for _ in 0..MAX_DEPTH {
+            part = part.halves().unwrap().1;
+        }
+        assert!(part.halves().is_none());
+        assert_eq!(points(&part, &chain)[3], [Rational::new(7.into(), 3.into()), Rational::new(7.into(), 3.into())]);
+    }
+}
