@@ -139,11 +139,10 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
     };
     let start = Instant::now();
-    let mut certified = {
-        let progress = Progress::new(arguments.printing.quiet);
-        certify(&file.curve, &options, &|part| progress.at(part))
-            .map_err(|error| failure(&error, None))?
-    };
+    let progress = Progress::new(arguments.printing.quiet);
+    let mut certified = certify(&file.curve, &options, &|part| progress.at(part))
+        .map_err(|error| failure(&error, None))?;
+    progress.checking();
     let written = match target {
         Some(target) => Some(write(
             &mut certified,
@@ -158,6 +157,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
             None
         }
     };
+    drop(progress);
     let seconds = start.elapsed().as_secs_f64();
     let report = Report {
         input: &arguments.curve,
