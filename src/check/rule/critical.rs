@@ -6,14 +6,14 @@
 
 use std::cmp::Ordering;
 
-use super::miranda::{at_most, regular};
+use super::miranda::{at_most, regular, restricted};
 use super::root::{self, chord, ordered, product};
 use super::{Outcome, fails};
 use crate::check::chain::Chain;
 use crate::check::element::corner_pieces;
-use crate::check::hull::Gap;
+use crate::check::hull::{Gap, Hull};
 use crate::check::section::{
-    as_joint, direction, end_of, is_parameter, joint_pieces, locate, point, section, sections, smooth_at,
+    HullAndField, as_joint, direction, end_of, is_parameter, joint_pieces, locate, point, sections, smooth_at,
 };
 use crate::check::word::{Word, vector};
 use crate::claim::msd::{Interval, Side};
@@ -101,12 +101,13 @@ pub fn check_interval<W: Word>(
     if let Some(joint) = joint.filter(|joint| !smooth_at(chain, *joint)) {
         return Some(fails("no corner inside", format!("the corner at {joint}")));
     }
-    if !regular::<W>(chain, &pieces, m)? {
+    let whole = restricted::<W>(chain, &pieces, 1)?;
+    if !regular(&whole, m)? {
         return Some(fails("m·w > 0 for all tangents of the interval", "a product that is not positive".into()));
     }
     let corner = point::<W>(chain, &locate(chain, s, side_of(chain, s))?)?;
-    let one_way = one_sided(chain, &corner.hull(), &pieces, &signs, false)?;
-    let critical = one_way || signs.len() == 2 && one_sided(chain, &corner.hull(), &pieces, &signs, true)?;
+    let one_way = one_sided(&corner.hull(), &whole, &signs, false)?;
+    let critical = one_way || signs.len() == 2 && one_sided(&corner.hull(), &whole, &signs, true)?;
     if !critical {
         return Some(fails("a chord critical at s for all of the interval", "one that is not".into()));
     }
@@ -123,8 +124,8 @@ pub fn check_interval<W: Word>(
     if at_ends[0] == Ordering::Equal || at_ends[0] != at_ends[1].reverse() {
         return Some(fails("opposite signs at the ends of the interval", format!("{at_ends:?}")));
     }
-    for piece in &pieces {
-        if !at_most(&corner.hull(), &section::<W>(chain, piece)?.hull(), upper_squared)? {
+    for part in &whole {
+        if !at_most(&corner.hull(), &part.hull(), upper_squared)? {
             return Some(fails("upper_squared ≥ |E−q|² for all hull points", "a longer difference".into()));
         }
     }
@@ -132,18 +133,11 @@ pub fn check_interval<W: Word>(
 }
 
 /// Is (E−q)·v ≥ 0 for all q where `signs` says `true`, ≤ 0 where it says `false` (all reversed if `reverse`)?
-fn one_sided<W: Word>(
-    chain: &Chain,
-    corner: &crate::check::hull::Hull<'_, W>,
-    pieces: &[crate::check::section::Section],
-    signs: &[([W; 3], bool)],
-    reverse: bool,
-) -> Option<bool> {
-    for piece in pieces {
-        let part = section::<W>(chain, piece)?;
+fn one_sided<W: Word>(corner: &Hull<'_, W>, whole: &[HullAndField<W>], signs: &[([W; 3], bool)], reverse: bool) -> Option<bool> {
+    for part in whole {
+        let hull = part.hull();
         for (v, positive) in signs {
             // The least of (E−q)·v, or of (q−E)·v.
-            let hull = part.hull();
             let gap = if *positive != reverse { Gap::new(corner, &hull) } else { Gap::new(&hull, corner) }?;
             if !gap.all(v, |g, _, _| Some(g >= W::zero()))? {
                 return Some(false);

@@ -9,7 +9,7 @@
 use super::{Outcome, fails};
 use crate::check::chain::Chain;
 use crate::check::hull::{Gap, Hull, bring_together};
-use crate::check::section::{HullAndField, PointAndField, apart, end_of, point, section, sections, smooth_at};
+use crate::check::section::{HullAndField, PointAndField, Section, apart, end_of, point, section, sections, smooth_at};
 use crate::check::word::{Word, combine, dot, vector};
 use crate::claim::msd::Interval;
 use crate::number::{Integer, Rational};
@@ -48,17 +48,15 @@ pub fn check<W: Word>(chain: &Chain, witness: &Witness, upper_squared: &Rational
     if a1 * b2 == a2 * b1 {
         return Some(fails("α₁β₂ ≠ α₂β₁", "equal".into()));
     }
-    for (pieces, m) in [(&pieces_s, &witness.regular[0]), (&pieces_t, &witness.regular[1])] {
-        if !regular::<W>(chain, pieces, m)? {
+    let (whole_s, whole_t) = (restricted::<W>(chain, &pieces_s, 1)?, restricted::<W>(chain, &pieces_t, 1)?);
+    for (whole, m) in [(&whole_s, &witness.regular[0]), (&whole_t, &witness.regular[1])] {
+        if !regular(whole, m)? {
             return Some(fails("m·v > 0 for all tangents of an interval", "a product that is not positive".into()));
         }
     }
     let faces = [(&pieces_s, &pieces_t, witness.first, false), (&pieces_t, &pieces_s, witness.second, true)];
     for (across, along, factors, swapped) in faces {
-        let mut parts = Vec::new();
-        for piece in along.iter().flat_map(|piece| piece.subdivided(witness.subdivisions)) {
-            parts.push(section::<W>(chain, &piece)?);
-        }
+        let parts = restricted::<W>(chain, along, witness.subdivisions)?;
         for end in [false, true] {
             let here = point::<W>(chain, &end_of(across, end))?;
             for part in &parts {
@@ -69,38 +67,27 @@ pub fn check<W: Word>(chain: &Chain, witness: &Witness, upper_squared: &Rational
             }
         }
     }
-    if !within::<W>(chain, &pieces_s, &pieces_t, upper_squared)? {
-        return Some(fails("upper_squared ≥ |p−q|² for all hull points", "a longer difference".into()));
+    for a in &whole_s {
+        for b in &whole_t {
+            if !at_most(&a.hull(), &b.hull(), upper_squared)? {
+                return Some(fails("upper_squared ≥ |p−q|² for all hull points", "a longer difference".into()));
+            }
+        }
     }
     Some(Ok(()))
 }
 
-/// Is m·v > 0 for all coefficients of D on the sections?
-pub fn regular<W: Word>(chain: &Chain, pieces: &[crate::check::section::Section], m: &[Integer; 3]) -> Option<bool> {
-    let m = vector::<W>(m)?;
-    for piece in pieces {
-        for v in &section::<W>(chain, piece)?.fields {
-            if dot(&m, v)? <= W::zero() {
-                return Some(false);
-            }
-        }
-    }
-    Some(true)
+/// The curve and D on each of the equal sub-sections of each section.
+pub fn restricted<W: Word>(chain: &Chain, pieces: &[Section], subdivisions: u32) -> Option<Vec<HullAndField<W>>> {
+    pieces.iter().flat_map(|piece| piece.subdivided(subdivisions)).map(|piece| section(chain, &piece)).collect()
 }
 
-/// Is upper_squared ≥ |p−q|² for all hull points of the sections?
-fn within<W: Word>(
-    chain: &Chain,
-    first: &[crate::check::section::Section],
-    second: &[crate::check::section::Section],
-    upper_squared: &Rational,
-) -> Option<bool> {
-    for a in first {
-        let a = section::<W>(chain, a)?;
-        for b in second {
-            if !at_most(&a.hull(), &section::<W>(chain, b)?.hull(), upper_squared)? {
-                return Some(false);
-            }
+/// Is m·v > 0 for all coefficients of D on the sections?
+pub fn regular<W: Word>(whole: &[HullAndField<W>], m: &[Integer; 3]) -> Option<bool> {
+    let m = vector::<W>(m)?;
+    for v in whole.iter().flat_map(|part| &part.fields) {
+        if dot(&m, v)? <= W::zero() {
+            return Some(false);
         }
     }
     Some(true)
