@@ -36,7 +36,7 @@ pub fn cases() -> Vec<Case> {
         ("claim-of-another-kind", "/statement/claim", json!("curvature")),
         ("unknown-convention", "/statement/convention", json!("Smooth")),
         ("lower-null", "/statement/lower_squared", Value::Null),
-        ("lower-infinity", "/statement/lower_squared", json!("Infinity")),
+        ("lower-in-words", "/statement/lower_squared", json!("Infinity")),
         ("lower-negative", "/statement/lower_squared", json!("-1")),
         ("lower-as-a-number", "/statement/lower_squared", json!(9)),
         ("upper-inf", "/statement/upper_squared", json!("inf")),
@@ -65,7 +65,7 @@ pub fn cases() -> Vec<Case> {
         cases.malformed(name, both().with_field("", key, value).json(), malformed);
     }
     for (name, text) in NOT_CANONICAL {
-        cases.malformed(&format!("lower-{name}"), both().with("/statement/lower_squared", json!(if text == "inf" { "1/inf" } else { text })).json(), malformed);
+        cases.malformed(&format!("lower-{name}"), both().with("/statement/lower_squared", json!(if text == "inf" { "-inf" } else { text })).json(), malformed);
         cases.malformed(&format!("parameter-{name}"), both().with("/evidence/upper/s", json!(text)).json(), malformed);
     }
     lists_for_objects(&mut cases, &both());
