@@ -52,9 +52,9 @@ struct RawDocument<'a, C, T> {
     knotproof: Text<'a>,
     #[serde(borrow)]
     tool: Text<'a>,
-    #[serde(default, borrow)]
+    #[serde(default, borrow, deserialize_with = "optional")]
     name: Option<Text<'a>>,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "optional")]
     snapped_joints: Option<u64>,
     curve: C,
     #[serde(borrow)]
@@ -86,6 +86,11 @@ struct RawEvidence<'a, T> {
     tree: Option<T>,
     #[serde(borrow, deserialize_with = "required")]
     upper: Option<RawUpper<'a>>,
+}
+
+/// A field that may be missing but not null.
+fn optional<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
+    T::deserialize(deserializer).map(Some)
 }
 
 /// A field that may be null but not missing.
@@ -154,9 +159,9 @@ enum RawUpper<'a> {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct RawCurve<'a> {
-    #[serde(default, borrow)]
+    #[serde(default, borrow, deserialize_with = "optional")]
     bspline: Option<RawSpline<'a>>,
-    #[serde(default, borrow)]
+    #[serde(default, borrow, deserialize_with = "optional")]
     bezier: Option<RawPieces<'a>>,
 }
 
@@ -168,7 +173,7 @@ struct RawSpline<'a> {
     knots: Vec<Text<'a>>,
     #[serde(borrow)]
     points: Vec<Vec<Text<'a>>>,
-    #[serde(default, borrow)]
+    #[serde(default, borrow, deserialize_with = "optional")]
     weights: Option<Vec<Text<'a>>>,
 }
 
@@ -184,7 +189,7 @@ struct RawPieces<'a> {
 struct RawPiece<'a> {
     #[serde(borrow)]
     points: Vec<Vec<Text<'a>>>,
-    #[serde(default, borrow)]
+    #[serde(default, borrow, deserialize_with = "optional")]
     weights: Option<Vec<Text<'a>>>,
 }
 
@@ -233,7 +238,8 @@ fn vector(texts: &[Text], dimension: usize, place: &str) -> Parsed<[Integer; 3]>
 
 fn numbers<'t, 'a: 't>(texts: impl Iterator<Item = &'t Text<'a>>, place: &str) -> Parsed<RationalVector> {
     let numbers: Vec<Rational> = texts.map(|text| rational(text, place)).collect::<Parsed<_>>()?;
-    Ok(RationalVector::from_rationals(&numbers))
+    let vector = RationalVector::from_rationals_within(&numbers, MAXIMUM_BITS);
+    vector.ok_or_else(|| FormatError::malformed(place, format!("a common denominator of more than {MAXIMUM_BITS} bits")))
 }
 
 fn points(points: &[Vec<Text>], dimension: usize, place: &str) -> Parsed<RationalVector> {

@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 
 use super::word::{Word, combine, dot, widening};
 use crate::curve::{BSpline, Bezier, Curve, Form};
-use crate::number::{Integer, Rational, RationalVector};
+use crate::number::{Integer, RationalVector};
 
 /// A positive integer `odd · 2^exponent`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,13 +27,37 @@ impl Scale {
     }
 
     /// The scale times `2^bits`.
-    pub fn doubled(&self, bits: u32) -> Self {
-        Scale { odd: self.odd.clone(), exponent: self.exponent + bits }
+    pub fn doubled(&self, bits: u32) -> ScaleRef<'_> {
+        ScaleRef { odd: &self.odd, exponent: self.exponent + bits }
     }
 
     /// The integer itself.
     pub fn value(&self) -> Integer {
-        &self.odd << self.exponent
+        self.doubled(0).value()
+    }
+}
+
+/// A scale whose odd factor is borrowed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ScaleRef<'s> {
+    /// The odd factor.
+    pub odd: &'s Integer,
+    /// The exponent of two.
+    pub exponent: u32,
+}
+
+/// The odd factor of powers of two.
+static ONE: Integer = Integer::ONE;
+
+impl ScaleRef<'_> {
+    /// 2^`exponent`.
+    pub fn power_of_two(exponent: u32) -> ScaleRef<'static> {
+        ScaleRef { odd: &ONE, exponent }
+    }
+
+    /// The integer itself.
+    pub fn value(&self) -> Integer {
+        self.odd << self.exponent
     }
 }
 
@@ -117,8 +141,8 @@ impl Chain {
                 }
             }
             Form::BSpline(spline) => {
-                for (points, weights) in blossom_pieces(spline, chain.dimension) {
-                    chain.push_rationals(&points, weights.as_deref())?;
+                for (values, has_weights) in blossom_pieces(spline, chain.dimension) {
+                    chain.push_homogeneous(&values, has_weights)?;
                 }
             }
         }
@@ -170,32 +194,25 @@ impl Chain {
         }
     }
 
-    /// A piece given by rational homogeneous coordinates.
-    fn push_rationals(&mut self, points: &[Rational], weights: Option<&[Rational]>) -> Result<(), usize> {
+    /// A piece given by homogeneous coordinates, points with their weights or points alone.
+    fn push_homogeneous(&mut self, values: &RationalVector, has_weights: bool) -> Result<(), usize> {
         let dimension = self.dimension;
-        let stack = |numerators: &[Integer]| -> Vec<[Integer; 3]> {
-            numerators
-                .chunks(dimension)
-                .map(|point| [0, 1, 2].map(|i| point.get(i).cloned().unwrap_or_default()))
-                .collect()
-        };
-        match weights {
-            Some(weights) if weights.iter().any(|weight| *weight != weights[0]) => {
-                let all: Vec<Rational> = points.iter().chain(weights).cloned().collect();
-                let all = RationalVector::from_rationals(&all);
-                let (points, weights) = all.numerators().split_at(points.len());
-                self.push_rational(&stack(points), weights, all.denominator())
-            }
-            Some(weights) => {
-                let affine: Vec<Rational> = points.iter().map(|x| x / &weights[0]).collect();
-                let affine = RationalVector::from_rationals(&affine);
-                self.push_polynomial(&stack(affine.numerators()), affine.denominator())
-            }
-            None => {
-                let affine = RationalVector::from_rationals(points);
-                self.push_polynomial(&stack(affine.numerators()), affine.denominator())
-            }
+        let stride = dimension + usize::from(has_weights);
+        let rows: Vec<&[Integer]> = values.numerators().chunks(stride).collect();
+        let point = |row: &[Integer]| [0, 1, 2].map(|i| if i < dimension { row[i].clone() } else { Integer::default() });
+        let points: Vec<[Integer; 3]> = rows.iter().map(|row| point(row)).collect();
+        if !has_weights {
+            return self.push_polynomial(&points, values.denominator());
         }
+        let weights: Vec<Integer> = rows.iter().map(|row| row[dimension].clone()).collect();
+        if weights.iter().any(|weight| *weight != weights[0]) {
+            return self.push_rational(&points, &weights, values.denominator());
+        }
+        // P = X/w with one w for all points.
+        let affine: Vec<Integer> = rows.iter().flat_map(|row| row[..dimension].to_vec()).collect();
+        let affine = RationalVector::from_parts(affine, weights[0].clone()).expect("weights are positive");
+        let points: Vec<[Integer; 3]> = affine.numerators().chunks(dimension).map(point).collect();
+        self.push_polynomial(&points, affine.denominator())
     }
 
     fn push_polynomial<W: Word>(&mut self, points: &[[W; 3]], denominator: &Integer) -> Result<(), usize> {
@@ -435,50 +452,62 @@ fn rational_field<W: Word>(points: &[[W; 3]], weights: &[W]) -> Option<Vec<[W; 3
 }
 
 /// Homogeneous Bézier points (and weights) of every non-empty knot interval, by the blossom (FORMAT §3).
-fn blossom_pieces(spline: &BSpline, dimension: usize) -> Vec<(Vec<Rational>, Option<Vec<Rational>>)> {
+///
+/// In integers: in round r all values of an interval are brought over the least common multiple of that round's knot differences,
+/// which depends on the interval alone; so the p+1 blossom values of an interval have one denominator.
+fn blossom_pieces(spline: &BSpline, dimension: usize) -> Vec<(RationalVector, bool)> {
     let p = spline.degree();
-    let knots: Vec<Rational> = spline.knots.iter().collect();
-    let weights: Option<Vec<Rational>> = spline.weights.as_ref().map(|weights| weights.iter().collect());
+    let knots = spline.knots().numerators();
+    let weights = spline.weights();
     let stride = dimension + usize::from(weights.is_some());
-    let mut homogeneous = Vec::with_capacity(spline.points.len() + spline.points.len() / dimension);
-    let count = spline.points.len() / dimension;
-    for k in 0..count {
-        for axis in 0..dimension {
-            let x = spline.points.get(k * dimension + axis);
-            homogeneous.push(match &weights {
-                Some(weights) => x * &weights[k],
-                None => x,
-            });
-        }
-        homogeneous.extend(weights.as_ref().map(|weights| weights[k].clone()));
-    }
+    let count = spline.points().len() / dimension;
+    let coordinates = spline.points().numerators();
+    // (wP, w) over the product of both denominators, as in push_bezier.
+    let homogeneous: Vec<Integer> = (0..count)
+        .flat_map(|k| {
+            let point = &coordinates[k * dimension..(k + 1) * dimension];
+            let weight = weights.map(|weights| &weights.numerators()[k]);
+            let scaled: Vec<Integer> = match weight {
+                None => point.to_vec(),
+                Some(w) => point.iter().map(|x| x * w).chain([w * spline.points().denominator()]).collect(),
+            };
+            scaled
+        })
+        .collect();
+    let denominator = match weights {
+        None => spline.points().denominator().clone(),
+        Some(weights) => spline.points().denominator() * weights.denominator(),
+    };
     let mut pieces = Vec::new();
     for j in p..count {
         if knots[j] == knots[j + 1] {
             continue;
         }
-        let mut points = Vec::with_capacity((p + 1) * dimension);
-        let mut piece_weights = weights.as_ref().map(|_| Vec::with_capacity(p + 1));
+        // Knot differences are differences of numerators: their common denominator cancels in λ.
+        let difference = |i: usize, r: usize| &knots[i + 1 + j - r] - &knots[i + j - p];
+        let multiples: Vec<Integer> =
+            (1..=p).map(|r| (r..=p).fold(Integer::from(1), |lcm, i| lcm.lcm(&difference(i, r)))).collect();
+        let shares: Vec<Vec<Integer>> =
+            (1..=p).map(|r| (r..=p).map(|i| multiples[r - 1].div_exact(&difference(i, r))).collect()).collect();
+        let mut values = Vec::with_capacity((p + 1) * stride);
         for k in 0..=p {
-            let mut d: Vec<Rational> = homogeneous[(j - p) * stride..(j + 1) * stride].to_vec();
+            let mut d: Vec<Integer> = homogeneous[(j - p) * stride..(j + 1) * stride].to_vec();
             for r in 1..=p {
                 let argument = if r <= p - k { &knots[j] } else { &knots[j + 1] };
                 for i in (r..=p).rev() {
-                    let (low, high) = (&knots[i + j - p], &knots[i + 1 + j - r]);
-                    let lambda = (argument - low) / (high - low);
+                    let share = &shares[r - 1][i - r];
+                    let before = (&knots[i + 1 + j - r] - argument) * share;
+                    let after = (argument - &knots[i + j - p]) * share;
                     for axis in 0..stride {
-                        let (a, b) = (&d[(i - 1) * stride + axis], &d[i * stride + axis]);
-                        d[i * stride + axis] = a + (b - a) * &lambda;
+                        d[i * stride + axis] = &before * &d[(i - 1) * stride + axis] + &after * &d[i * stride + axis];
                     }
                 }
             }
-            let value = &d[p * stride..];
-            points.extend_from_slice(&value[..dimension]);
-            if let Some(weights) = &mut piece_weights {
-                weights.push(value[dimension].clone());
-            }
+            values.extend_from_slice(&d[p * stride..]);
         }
-        pieces.push((points, piece_weights));
+        let whole = multiples.iter().fold(denominator.clone(), |product, multiple| product * multiple);
+        let values = RationalVector::from_parts(values, whole).expect("knot differences are positive");
+        pieces.push((values, weights.is_some()));
     }
     pieces
 }

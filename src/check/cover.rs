@@ -1,7 +1,7 @@
 //! Replaying a cover tree (FORMAT §5): one pass over the tokens, holding one path of nodes.
 
 use super::boxes::Boxes;
-use super::chain::{Chain, Scale};
+use super::chain::{Chain, ScaleRef};
 use super::element::{Element, Elements, Node};
 use super::part::Geometry;
 use super::rule::{Failure, Outcome, bend, cone, far, not_normal};
@@ -18,8 +18,8 @@ pub struct Context<'c> {
     pub elements: Elements,
     /// The boxes of all runs.
     pub boxes: Boxes,
-    /// 2^grid, which box coordinates are over.
-    pub grid_scale: Scale,
+    /// Box coordinates are over 2^grid.
+    pub grid: u32,
 }
 
 impl<'c> Context<'c> {
@@ -27,7 +27,12 @@ impl<'c> Context<'c> {
     pub fn new(chain: &'c Chain, convention: Convention, grid: u32) -> Self {
         let elements = Elements::new(chain, convention);
         let boxes = Boxes::new(chain, &elements, grid);
-        Context { chain, elements, boxes, grid_scale: Scale { odd: 1.into(), exponent: grid } }
+        Context { chain, elements, boxes, grid }
+    }
+
+    /// What box coordinates are over.
+    pub fn grid_scale(&self) -> ScaleRef<'static> {
+        ScaleRef::power_of_two(self.grid)
     }
 
     /// Does a leaf's obligation hold for the pair (A, B), or (A, A) when `b` is `None`?
@@ -41,8 +46,12 @@ impl<'c> Context<'c> {
                 Lower::Finite(lower) => widening!(bits, W => far::check::<W>(self, a, b, n, lower)),
             },
             (Leaf::NotNormal(_), None) => fails("two different nodes", "one"),
+            (Leaf::NotNormal([alpha, beta]), Some(b)) if !(alpha.is_zero() || beta.is_zero()) && (a.is_run() || b.is_run()) => {
+                fails("one factor 0 for a run", "two factors")
+            }
             (Leaf::NotNormal(factors), Some(b)) => widening!(bits, W => not_normal::check::<W>(self, a, b, factors)),
             (Leaf::Cone(_) | Leaf::Bend(_), Some(b)) if !self.adjacent(a, b) => fails("adjacent nodes", "nodes apart"),
+            (Leaf::Bend(_), b) if a.is_run() || b.is_some_and(Node::is_run) => fails("parts, corners or ends", "a run"),
             (Leaf::Cone(n), b) => widening!(bits, W => cone::check::<W>(self, a, b, n)),
             (Leaf::Bend(factors), b) => widening!(bits, W => bend::check::<W>(self, a, b, factors)),
         }
@@ -73,14 +82,17 @@ fn wide(node: &Node, boxes: &Boxes) -> bool {
 }
 
 /// Replays the tokens of `source` against the pair (whole, whole); returns the number of leaves.
-pub fn replay<S: TokenSource>(context: &Context, lower: &Lower, source: &mut S) -> Result<u64, Rejection> {
+pub fn replay<S: TokenSource>(context: &Context, lower: &Lower, source: &mut S) -> Result<u64, Box<Rejection>> {
     let mut replay = Replay { context, lower, source, tokens: 0, leaves: 0 };
     let whole = Node::whole(context.chain, &context.elements);
     replay.pair(&whole, None)?;
     match replay.source.next_token() {
         Ok(None) => Ok(replay.leaves),
-        Ok(Some(_)) => Err(Rejection { place: Place::Token { number: replay.tokens }, reason: Reason::TokensLeft }),
-        Err(error) => Err(Rejection { place: Place::Token { number: replay.tokens }, reason: Reason::Token(error.to_string()) }),
+        Ok(Some(_)) => Err(Box::new(Rejection { place: Place::Token { number: replay.tokens }, reason: Reason::TokensLeft })),
+        Err(error) => {
+            let place = Place::Token { number: replay.tokens };
+            Err(Box::new(Rejection { place, reason: Reason::Token(error.to_string()) }))
+        }
     }
 }
 
@@ -94,7 +106,7 @@ struct Replay<'r, 'c, S> {
 
 impl<'c, S: TokenSource> Replay<'_, 'c, S> {
     /// Replays the pair (A, B), or (A, A) when `b` is `None`. The recursion is at most as deep as two paths of halvings.
-    fn pair(&mut self, a: &Node<'c>, b: Option<&Node<'c>>) -> Result<(), Rejection> {
+    fn pair(&mut self, a: &Node<'c>, b: Option<&Node<'c>>) -> Result<(), Box<Rejection>> {
         if b.is_none() && a.is_point() {
             return Ok(());
         }
@@ -131,13 +143,13 @@ impl<'c, S: TokenSource> Replay<'_, 'c, S> {
         }
     }
 
-    fn halves(&self, node: &Node<'c>, a: &Node, b: Option<&Node>) -> Result<(Node<'c>, Node<'c>), Rejection> {
+    fn halves(&self, node: &Node<'c>, a: &Node, b: Option<&Node>) -> Result<(Node<'c>, Node<'c>), Box<Rejection>> {
         self.context.halves(node).ok_or_else(|| self.rejection(a, b, Reason::CannotSplit))
     }
 
-    fn rejection(&self, a: &Node, b: Option<&Node>, reason: Reason) -> Rejection {
+    fn rejection(&self, a: &Node, b: Option<&Node>, reason: Reason) -> Box<Rejection> {
         let address = |node: &Node| node.address(self.context.chain, &self.context.elements);
         let place = Place::Pair { token: self.tokens.saturating_sub(1), a: address(a), b: address(b.unwrap_or(a)) };
-        Rejection { place, reason }
+        Box::new(Rejection { place, reason })
     }
 }

@@ -162,6 +162,11 @@ impl<'c> Node<'c> {
         }
     }
 
+    /// Is it a run?
+    pub fn is_run(&self) -> bool {
+        matches!(self, Node::Run { .. })
+    }
+
     /// Is it a point element?
     pub fn is_point(&self) -> bool {
         matches!(self, Node::Point(_))

@@ -4,7 +4,7 @@
 //! a polynomial part have one weight for all their points, so that the least n·p and the greatest n·q decide; otherwise all pairs are
 //! compared. Where both have one weight, the common factor of the two is kept apart.
 
-use super::chain::{Scale, convert, convert_one};
+use super::chain::{ScaleRef, convert, convert_one};
 use super::cover::Context;
 use super::element::{Node, point_location};
 use super::part::{Block, Geometry};
@@ -21,26 +21,26 @@ enum Shape<W> {
 }
 
 /// The hull points of a node.
-pub struct Hull<W> {
+pub struct Hull<'s, W> {
     shape: Shape<W>,
     /// The weight of all points; not used when each has its own.
-    scale: Scale,
+    scale: ScaleRef<'s>,
 }
 
-impl<W: Word> Hull<W> {
+impl<'s, W: Word> Hull<'s, W> {
     /// The hull of a node; `None` if it does not fit this width.
-    pub fn new(context: &Context, node: &Node) -> Option<Self> {
+    pub fn new(context: &'s Context, node: &Node) -> Option<Self> {
         match node {
             Node::Run { number, .. } => Some(Hull {
                 shape: Shape::Box(context.boxes.get(*number)?),
-                scale: context.grid_scale.clone(),
+                scale: context.grid_scale(),
             }),
             Node::Point(element) => {
                 let (piece, end) = point_location(context.chain, *element);
                 let (point, weight) = context.chain.end_point(piece, end);
                 Some(Hull {
                     shape: Shape::Each(vec![super::word::vector(&point)?], vec![W::from_integer(&weight)?]),
-                    scale: context.grid_scale.clone(),
+                    scale: context.grid_scale(),
                 })
             }
             Node::Part(part) => {
@@ -55,7 +55,7 @@ impl<W: Word> Hull<W> {
     }
 
     /// Points of a section of a piece: integers over `scale`, or over a weight each when there are weights.
-    pub fn of_points(points: Vec<[W; 3]>, weights: Vec<W>, scale: Scale) -> Self {
+    pub fn of_points(points: Vec<[W; 3]>, weights: Vec<W>, scale: ScaleRef<'s>) -> Self {
         let shape = if weights.is_empty() { Shape::Shared(points) } else { Shape::Each(points, weights) };
         Hull { shape, scale }
     }
@@ -101,10 +101,10 @@ impl<W: Word> Hull<W> {
     }
 
     /// The weight that all points share, unless each has its own.
-    pub fn shared_scale(&self) -> Option<&Scale> {
+    pub fn shared_scale(&self) -> Option<ScaleRef<'s>> {
         match self.shape {
             Shape::Each(..) => None,
-            _ => Some(&self.scale),
+            _ => Some(self.scale),
         }
     }
 }
@@ -154,34 +154,33 @@ impl<'e, W> Iterator for Candidates<'e, W> {
 
 /// Two hulls, with their weights brought together.
 pub struct Gap<'h, W> {
-    a: &'h Hull<W>,
-    b: &'h Hull<W>,
+    a: &'h Hull<'h, W>,
+    b: &'h Hull<'h, W>,
     weight_a: W,
     weight_b: W,
     /// The factor taken out of the weights on both sides.
-    pub common: Scale,
+    pub common: ScaleRef<'h>,
 }
 
 /// The factors s, t and the common scale c with a = c·s and b = c·t.
-pub fn bring_together<W: Word>(a: &Scale, b: &Scale) -> Option<(W, W, Scale)> {
+pub fn bring_together<'s, W: Word>(a: ScaleRef<'s>, b: ScaleRef<'s>) -> Option<(W, W, ScaleRef<'s>)> {
     let exponent = a.exponent.min(b.exponent);
     let one = W::from_i128(1)?;
     if a.odd == b.odd {
-        let common = Scale { odd: a.odd.clone(), exponent };
+        let common = ScaleRef { odd: a.odd, exponent };
         return Some((one.doubled(a.exponent - exponent)?, one.doubled(b.exponent - exponent)?, common));
     }
-    let factor = |scale: &Scale| W::from_integer(&scale.odd)?.doubled(scale.exponent - exponent);
-    Some((factor(a)?, factor(b)?, Scale { odd: 1.into(), exponent }))
+    let factor = |scale: ScaleRef| W::from_integer(scale.odd)?.doubled(scale.exponent - exponent);
+    Some((factor(a)?, factor(b)?, ScaleRef::power_of_two(exponent)))
 }
 
 impl<'h, W: Word> Gap<'h, W> {
     /// Prepares two hulls.
-    pub fn new(a: &'h Hull<W>, b: &'h Hull<W>) -> Option<Self> {
-        let one = || Scale { odd: 1.into(), exponent: 0 };
-        let value = |scale: Option<&Scale>| scale.map_or(W::from_i128(1), |scale| W::from_integer(&scale.value()));
+    pub fn new(a: &'h Hull<'h, W>, b: &'h Hull<'h, W>) -> Option<Self> {
+        let value = |scale: Option<ScaleRef>| scale.map_or(W::from_i128(1), |scale| W::from_integer(&scale.value()));
         let (weight_a, weight_b, common) = match (a.shared_scale(), b.shared_scale()) {
             (Some(scale_a), Some(scale_b)) => bring_together(scale_a, scale_b)?,
-            (scale_a, scale_b) => (value(scale_a)?, value(scale_b)?, one()),
+            (scale_a, scale_b) => (value(scale_a)?, value(scale_b)?, ScaleRef::power_of_two(0)),
         };
         Some(Gap { a, b, weight_a, weight_b, common })
     }

@@ -29,7 +29,7 @@ pub fn check_msd<S: TokenSource>(document: &Document, tokens: &mut S) -> Result<
         };
     }
     let context = Context::new(&chain, statement.convention, document.evidence.grid);
-    replay(&context, &statement.lower_squared, tokens)
+    replay(&context, &statement.lower_squared, tokens).map_err(|rejection| *rejection)
 }
 
 fn consistent(document: &Document) -> Result<(), Rejection> {
@@ -57,7 +57,7 @@ fn upper(chain: &Chain, rule: &Upper, convention: Convention, upper_squared: &Ra
     let (name, outcome) = match rule {
         Upper::Miranda { s, t, first, second, regular, subdivisions } => {
             let witness = miranda::Witness { s, t, first, second, regular, subdivisions: *subdivisions };
-            ("miranda", widening!(64, W => miranda::check::<W>(chain, &witness, upper_squared)))
+            ("miranda", widening!(128, W => miranda::check::<W>(chain, &witness, upper_squared)))
         }
         Upper::Root { s, t } => ("root", root::check(chain, s, t, upper_squared)),
         Upper::Touch { s, t } => ("touch", root::check_touch(chain, s, t)),

@@ -6,7 +6,7 @@
 
 use std::borrow::Cow;
 
-use super::chain::{Chain, Numbers, Scale, Width, convert, convert_one};
+use super::chain::{Chain, Numbers, ScaleRef, Width, convert, convert_one};
 use super::word::Word;
 use crate::number::Integer;
 
@@ -131,13 +131,13 @@ impl<'c> Part<'c> {
     }
 
     /// What the control points of a polynomial part are multiples of.
-    pub fn point_scale(&self, chain: &Chain) -> Scale {
+    pub fn point_scale<'s>(&self, chain: &'s Chain) -> ScaleRef<'s> {
         let piece = &chain.pieces[self.piece];
         piece.point_scale.doubled(piece.degree as u32 * self.depth)
     }
 
     /// What the tangents are multiples of.
-    pub fn tangent_scale(&self, chain: &Chain) -> Scale {
+    pub fn tangent_scale<'s>(&self, chain: &'s Chain) -> ScaleRef<'s> {
         let piece = &chain.pieces[self.piece];
         piece.tangent_scale.doubled(piece.tangent_degree as u32 * self.depth)
     }

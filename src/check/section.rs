@@ -119,22 +119,38 @@ pub fn end_of(sections: &[Section], end: bool) -> Location {
 
 /// A point of the curve and D there.
 pub struct PointAndField<W> {
-    /// The point, as a hull of one point.
-    pub point: Hull<W>,
+    point: Vec<[W; 3]>,
+    weights: Vec<W>,
+    point_scale: Scale,
     /// D.
     pub field: [W; 3],
     /// What D is over.
     pub field_scale: Scale,
 }
 
+impl<W: Word> PointAndField<W> {
+    /// The point, as a hull of one point.
+    pub fn hull(&self) -> Hull<'_, W> {
+        Hull::of_points(self.point.clone(), self.weights.clone(), self.point_scale.doubled(0))
+    }
+}
+
 /// A section's hull and field coefficients.
 pub struct HullAndField<W> {
-    /// Control points of the section.
-    pub hull: Hull<W>,
+    points: Vec<[W; 3]>,
+    weights: Vec<W>,
+    point_scale: Scale,
     /// Coefficients of D on the section, zero vectors included.
     pub fields: Vec<[W; 3]>,
     /// What they are over.
     pub field_scale: Scale,
+}
+
+impl<W: Word> HullAndField<W> {
+    /// The control points of the section.
+    pub fn hull(&self) -> Hull<'_, W> {
+        Hull::of_points(self.points.clone(), self.weights.clone(), self.point_scale.doubled(0))
+    }
 }
 
 /// The common denominator b of some parameters, and their numerators over it.
@@ -188,7 +204,9 @@ pub fn section<W: Word>(chain: &Chain, section: &Section) -> Option<HullAndField
         false => restricted(&on_first_axis(&numbers.weights), &start, &end, &b)?.into_iter().map(|[w, _, _]| w).collect(),
     };
     Some(HullAndField {
-        hull: Hull::of_points(points, weights, scaled(&piece.point_scale, &denominator, piece.degree)),
+        points,
+        weights,
+        point_scale: scaled(&piece.point_scale, &denominator, piece.degree),
         fields: restricted(&numbers.tangents, &start, &end, &b)?,
         field_scale: scaled(&piece.tangent_scale, &denominator, piece.tangent_degree),
     })
@@ -209,7 +227,9 @@ pub fn point<W: Word>(chain: &Chain, location: &Location) -> Option<PointAndFiel
         }
     };
     Some(PointAndField {
-        point: Hull::of_points(vec![point], weights, scaled(&piece.point_scale, &denominator, piece.degree)),
+        point: vec![point],
+        weights,
+        point_scale: scaled(&piece.point_scale, &denominator, piece.degree),
         field: blossom(&numbers.tangents, &vec![&u; piece.tangent_degree], &b)?,
         field_scale: scaled(&piece.tangent_scale, &denominator, piece.tangent_degree),
     })

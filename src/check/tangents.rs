@@ -1,27 +1,27 @@
 //! The tangents T of a node in one width (FORMAT §5).
 
-use super::chain::{Scale, convert};
+use super::chain::{ScaleRef, convert};
 use super::cover::Context;
 use super::element::{Element, Node, corner_pieces};
 use super::part::{Block, Geometry, Part};
 use super::word::{Word, vector};
 
 /// The tangents of a node: integer vectors in groups, each group over one scale.
-pub struct Tangents<W> {
+pub struct Tangents<'s, W> {
     vectors: Vec<[W; 3]>,
-    groups: Vec<Group>,
+    groups: Vec<Group<'s>>,
 }
 
-struct Group {
+struct Group<'s> {
     end: usize,
-    scale: Scale,
+    scale: ScaleRef<'s>,
     /// Belongs to a piece, not to a point element.
     of_piece: bool,
 }
 
-impl<W: Word> Tangents<W> {
+impl<'s, W: Word> Tangents<'s, W> {
     /// T of a node; `None` if it does not fit this width.
-    pub fn new(context: &Context, node: &Node) -> Option<Self> {
+    pub fn new(context: &'s Context, node: &Node) -> Option<Self> {
         let mut tangents = Tangents { vectors: Vec::new(), groups: Vec::new() };
         match node {
             Node::Run { first, last, .. } => {
@@ -38,7 +38,7 @@ impl<W: Word> Tangents<W> {
         Some(tangents)
     }
 
-    fn push_part(&mut self, context: &Context, part: &Part) -> Option<()> {
+    fn push_part(&mut self, context: &'s Context, part: &Part) -> Option<()> {
         match &part.geometry {
             Geometry::Narrow(block) => self.push_nonzero(block),
             Geometry::Wide(block) => self.push_nonzero(block),
@@ -57,7 +57,7 @@ impl<W: Word> Tangents<W> {
         Some(())
     }
 
-    fn push_point(&mut self, context: &Context, element: Element) -> Option<()> {
+    fn push_point(&mut self, context: &'s Context, element: Element) -> Option<()> {
         let chain = context.chain;
         let directions = match element {
             Element::Piece(_) => unreachable!("a piece is not a point element"),
@@ -70,7 +70,7 @@ impl<W: Word> Tangents<W> {
         };
         for (piece, end) in directions {
             self.vectors.push(vector(&chain.end_direction(piece, end))?);
-            let scale = chain.pieces[piece].tangent_scale.clone();
+            let scale = chain.pieces[piece].tangent_scale.doubled(0);
             self.groups.push(Group { end: self.vectors.len(), scale, of_piece: false });
         }
         Some(())
@@ -82,12 +82,12 @@ impl<W: Word> Tangents<W> {
     }
 
     /// The groups with their scales.
-    pub fn groups(&self) -> impl Iterator<Item = (&[[W; 3]], &Scale)> {
+    pub fn groups(&self) -> impl Iterator<Item = (&[[W; 3]], ScaleRef<'s>)> {
         let mut start = 0;
         self.groups.iter().map(move |group| {
             let vectors = &self.vectors[start..group.end];
             start = group.end;
-            (vectors, &group.scale)
+            (vectors, group.scale)
         })
     }
 

@@ -33,6 +33,12 @@ impl Default for RationalVector {
 impl RationalVector {
     /// The given numbers, in order.
     pub fn from_rationals(numbers: &[Rational]) -> Self {
+        Self::from_rationals_within(numbers, u64::MAX).expect("no limit")
+    }
+
+    /// The given numbers, in order; `None` as soon as their common denominator has more than `maximum_bits` bits, so that many
+    /// small fractions cannot take much space.
+    pub fn from_rationals_within(numbers: &[Rational], maximum_bits: u64) -> Option<Self> {
         // The least common multiple, its power of two and its odd part kept apart: most denominators are powers of
         // two, and those need no division.
         let mut shift = 0;
@@ -51,6 +57,9 @@ impl RationalVector {
             {
                 odd = odd.lcm(&part);
             }
+            if odd.bits() + u64::from(shift) > maximum_bits {
+                return None;
+            }
         }
         let denominator = &odd << shift;
         let mut last = &Integer::ONE;
@@ -66,10 +75,10 @@ impl RationalVector {
             })
             .collect();
         // Each number is reduced, so no prime of the least common multiple divides all numerators.
-        RationalVector {
+        Some(RationalVector {
             denominator,
             numerators,
-        }
+        })
     }
 
     /// The numbers numerator / denominator for all numerators in order, reduced together; `None` when the denominator is not positive.

@@ -2,51 +2,55 @@
 
 use super::vector::{Vector, add, dot, scale, unit};
 
-/// All directions within `angle` (radians) of `axis`.
+/// All directions within an angle of `axis`.
 #[derive(Clone, Copy, Debug)]
 pub struct Cone {
     /// Unit axis.
     pub axis: Vector,
-    /// Half-angle; π when nothing better is known.
-    pub angle: f64,
+    /// Cosine of the half-angle, rounded down; −1 when nothing better is known.
+    pub cosine: f64,
 }
 
-/// Added to computed angles against rounding.
-const SLACK: f64 = 1e-7;
+/// Taken off computed cosines against rounding.
+const SLACK: f64 = 1e-12;
 
 impl Cone {
     /// Every direction.
-    pub const FULL: Cone = Cone { axis: [1.0, 0.0, 0.0, 0.0], angle: std::f64::consts::PI };
+    pub const FULL: Cone = Cone { axis: [1.0, 0.0, 0.0, 0.0], cosine: -1.0 };
 
     /// The cone around the sum of the directions, zero vectors left out.
-    pub fn around(vectors: &[Vector]) -> Cone {
+    pub fn around<'v>(vectors: impl Iterator<Item = &'v Vector> + Clone) -> Cone {
         let mut sum = [0.0; 4];
-        for direction in vectors.iter().filter_map(unit) {
+        for direction in vectors.clone().filter_map(unit) {
             sum = add(&sum, &direction);
         }
         let Some(axis) = unit(&sum) else { return Cone::FULL };
-        let least = vectors.iter().filter_map(unit).map(|direction| dot(&direction, &axis)).fold(1.0, f64::min);
-        Cone { axis, angle: least.clamp(-1.0, 1.0).acos() + SLACK }
+        let least = vectors.filter_map(unit).map(|direction| dot(&direction, &axis)).fold(1.0, f64::min);
+        Cone { axis, cosine: least - SLACK }
     }
 
-    /// A cone that holds both.
+    /// A cone that holds both; [`Cone::FULL`] where that would be a half-space or more.
     pub fn merged(&self, other: &Cone) -> Cone {
-        let between = dot(&self.axis, &other.axis).clamp(-1.0, 1.0).acos();
-        if between + other.angle <= self.angle {
+        let between = dot(&self.axis, &other.axis);
+        if self.cosine <= 0.0 || other.cosine <= 0.0 || between <= 0.0 {
+            return Cone::FULL;
+        }
+        let (angle, other_angle) = (self.cosine.min(1.0).acos(), other.cosine.min(1.0).acos());
+        let between = between.min(1.0).acos();
+        if between + other_angle <= angle {
             return *self;
         }
-        if between + self.angle <= other.angle {
+        if between + angle <= other_angle {
             return *other;
         }
-        let angle = (self.angle + other.angle + between) / 2.0 + SLACK;
-        if angle >= std::f64::consts::PI || between < 1e-9 {
-            return if angle >= std::f64::consts::PI { Cone::FULL } else { Cone { axis: self.axis, angle } };
+        let whole = (angle + other_angle + between) / 2.0 + 1e-9;
+        if whole >= 1.5 || between < 1e-9 {
+            return if whole >= 1.5 { Cone::FULL } else { Cone { axis: self.axis, cosine: (whole + between).cos() - SLACK } };
         }
-        // Turn this axis towards the other one by angle − self.angle.
-        let turn = (angle - self.angle) / between;
-        let (a, b) = (((1.0 - turn) * between).sin(), (turn * between).sin());
-        match unit(&add(&scale(&self.axis, a), &scale(&other.axis, b))) {
-            Some(axis) => Cone { axis, angle: angle + SLACK },
+        // Turn this axis towards the other one by whole − angle.
+        let turn = whole - angle;
+        match unit(&add(&scale(&self.axis, (between - turn).sin()), &scale(&other.axis, turn.sin()))) {
+            Some(axis) => Cone { axis, cosine: (whole + 1e-9).cos() - SLACK },
             None => Cone::FULL,
         }
     }
@@ -54,12 +58,14 @@ impl Cone {
     /// Is x·v > 0 for every direction v in the cone?
     pub fn all_positive(&self, x: &Vector) -> bool {
         let along = dot(x, &self.axis);
-        if self.angle >= 1.57 || along <= 0.0 {
+        if self.cosine <= 0.0 || along <= 0.0 {
             return false;
         }
+        // along·cos > across·sin, squared.
         let square = dot(x, x);
-        let across = (square - along * along).max(0.0).sqrt();
-        along * self.angle.cos() > across * self.angle.sin() + 1e-9 * square.sqrt()
+        let across = (square - along * along).max(0.0);
+        let cosine_squared = self.cosine * self.cosine;
+        along * along * cosine_squared > across * (1.0 - cosine_squared) + 1e-9 * square
     }
 }
 
@@ -76,15 +82,15 @@ mod tests {
     proptest! {
         #[test]
         fn merged_cones_hold_both(a in vectors(), b in vectors()) {
-            let cone = Cone::around(&a).merged(&Cone::around(&b));
+            let cone = Cone::around(a.iter()).merged(&Cone::around(b.iter()));
             for v in a.iter().chain(&b).filter_map(unit) {
-                prop_assert!(dot(&v, &cone.axis).clamp(-1.0, 1.0).acos() <= cone.angle + 1e-6);
+                prop_assert!(dot(&v, &cone.axis) >= cone.cosine - 1e-9);
             }
         }
 
         #[test]
         fn positive_means_positive(a in vectors(), x in vectors()) {
-            if Cone::around(&a).all_positive(&x[0]) {
+            if Cone::around(a.iter()).all_positive(&x[0]) {
                 for v in &a {
                     prop_assert!(dot(v, &x[0]) >= 0.0);
                 }

@@ -130,6 +130,11 @@ impl<'n, 's> Search<'n, 's> {
         }
         let second = b.unwrap_or(a);
         if !a.is_run() && !second.is_run() {
+            let borderline = self.goal.length.is_finite()
+                && b.is_some_and(|b| !contact.any() && leaf::far_within_errors(self.nodes, a, b, Target { length: self.goal.length }));
+            if borderline && let Some(leaf) = self.exact_leaf(&self.nodes.exact(a), b.map(|b| self.nodes.exact(b)).as_ref()) {
+                return self.emit_leaf(leaf);
+            }
             if self.needs_exactness(a, second) {
                 let (exact_a, exact_b) = (self.nodes.exact(a), b.map(|b| self.nodes.exact(b)));
                 return self.exact_pair(&exact_a, exact_b.as_ref());
@@ -223,16 +228,10 @@ impl<'n, 's> Search<'n, 's> {
         if self.exact_attempts > 50_000 + self.goal.budget / 40 {
             return Err(Event::Budget);
         }
-        let second = b.unwrap_or(a);
-        let end = |node: &ExactNode, end| node.contains_end(&context.elements, end);
-        let any_end = |node: &ExactNode| end(node, Element::Start) || end(node, Element::End);
-        let signs = [
-            [if any_end(a) { -1 } else { 0 }, if any_end(second) { -1 } else { 0 }],
-            [if end(a, Element::Start) { 1 } else { 0 }, if end(second, Element::End) { 1 } else { 0 }],
-        ];
-        if let Some(leaf) = exact::leaf(context, a, b, &self.goal.lower, self.goal.length, signs) {
+        if let Some(leaf) = self.exact_leaf(a, b) {
             return self.emit_leaf(leaf);
         }
+        let second = b.unwrap_or(a);
         let depth = |node: &ExactNode| if let ExactNode::Part(part) = node { Some(part.depth) } else { None };
         let first = match (depth(a), depth(second)) {
             (None, None) => return Err(self.exactly_stuck(a, b)),
@@ -263,6 +262,19 @@ impl<'n, 's> Search<'n, 's> {
                 self.exact_pair(a, Some(&right))
             }
         }
+    }
+
+    /// A leaf for the pair, found in exact arithmetic.
+    fn exact_leaf(&self, a: &ExactNode<'s>, b: Option<&ExactNode<'s>>) -> Option<Leaf> {
+        let context = self.nodes.context;
+        let second = b.unwrap_or(a);
+        let end = |node: &ExactNode, end| node.contains_end(&context.elements, end);
+        let any_end = |node: &ExactNode| end(node, Element::Start) || end(node, Element::End);
+        let signs = [
+            [if any_end(a) { -1 } else { 0 }, if any_end(second) { -1 } else { 0 }],
+            [if end(a, Element::Start) { 1 } else { 0 }, if end(second, Element::End) { 1 } else { 0 }],
+        ];
+        exact::leaf(context, a, b, &self.goal.lower, self.goal.length, signs)
     }
 
     fn exactly_stuck(&self, a: &ExactNode, b: Option<&ExactNode>) -> Event {

@@ -120,7 +120,7 @@ fn factors<'x>(
     signs: Signs,
 ) -> Option<[Integer; 2]> {
     let size = |tangents: &Tangents<Integer>| {
-        let bits = |(vectors, scale): (&[[Integer; 3]], &crate::check::chain::Scale)| {
+        let bits = |(vectors, scale): (&[[Integer; 3]], crate::check::chain::ScaleRef)| {
             let most = vectors.iter().flatten().map(Word::bit_length).max().unwrap_or(0);
             i64::from(most) - scale.odd.bits() as i64 - i64::from(scale.exponent)
         };
@@ -160,7 +160,7 @@ fn cone(context: &Context, a: &Node, b: Option<&Node>) -> Option<Leaf> {
             directions.push([x, y, z, 0.0]);
         }
     }
-    let cone = super::cone::Cone::around(&directions);
-    let bits = if cone.angle < 0.6 { 6 } else { 20 };
-    (cone.angle < std::f64::consts::FRAC_PI_4).then(|| Leaf::Cone(quantised(&cone.axis, bits).map(Into::into)))
+    let cone = super::cone::Cone::around(directions.iter());
+    let bits = if cone.cosine > 0.83 { 6 } else { 20 };
+    (cone.cosine > std::f64::consts::FRAC_1_SQRT_2).then(|| Leaf::Cone(quantised(&cone.axis, bits).map(Into::into)))
 }

@@ -8,9 +8,11 @@
 //!
 //! For a rational piece this holds of X and w, and P = X/w is off by at most (e_X + |P|e_w)/(w − e_w) + 2u|P|.
 
+use smallvec::SmallVec;
+
 use super::cone::Cone;
 use super::vector::{Vector, greatest, sub};
-use crate::check::chain::{Chain, Scale};
+use crate::check::chain::{Chain, Scale, ScaleRef};
 use crate::check::word::Word;
 use crate::number::Integer;
 
@@ -55,7 +57,7 @@ fn times_power(value: f64, exponent: i64) -> f64 {
 }
 
 /// An integer over a scale, as a float of relative error at most 4u (short of underflow).
-pub fn quotient<W: Word>(value: &W, scale: &Scale) -> f64 {
+pub fn quotient<W: Word>(value: &W, scale: ScaleRef) -> f64 {
     let (odd, odd_exponent) = scale.odd.to_f64_exponent();
     match value.to_i128().map(i64::try_from) {
         Some(Ok(small)) => times_power(small as f64 / odd, -odd_exponent - i64::from(scale.exponent)),
@@ -94,7 +96,7 @@ impl FloatChain {
         };
         let as_float = |x: &W, scale: &Scale, factor: Option<f64>| match (factor, x.to_i128().map(i64::try_from)) {
             (Some(factor), Some(Ok(small))) => small as f64 * factor,
-            _ => quotient(x, scale),
+            _ => quotient(x, scale.doubled(0)),
         };
         let point_scale = if piece.rational { &homogeneous } else { &piece.point_scale };
         let point_factor = factor(point_scale);
@@ -122,7 +124,7 @@ impl FloatChain {
             greatest_point: most(points),
             greatest_weight: points.iter().map(|point| point[3]).fold(0.0, f64::max),
             greatest_tangent: most(tangents),
-            cone: Cone::around(tangents),
+            cone: Cone::around(tangents.iter()),
         });
     }
 
@@ -150,9 +152,8 @@ impl FloatChain {
     /// Position, first and second derivative by the local parameter u.
     pub fn evaluate(&self, piece: usize, u: f64) -> [Vector; 3] {
         let degree = self.pieces[piece].degree;
-        let mut row: [Vector; 65] = [[0.0; 4]; 65];
-        let row = &mut row[..=degree];
-        row.copy_from_slice(self.points(piece));
+        let mut row: SmallVec<[Vector; 8]> = SmallVec::from_slice(self.points(piece));
+        let row = row.as_mut_slice();
         let step = |row: &mut [Vector], count: usize| {
             for i in 0..count {
                 for axis in 0..4 {

@@ -2,6 +2,9 @@
 //!
 //! Whatever is returned satisfies its obligation exactly, by the error bounds of the nodes; the checker replays it all the same.
 
+use smallvec::SmallVec;
+
+use super::cone::Cone;
 use super::float_chain::UNIT;
 use super::half_plane::{Rectangle, Signs, choose};
 use super::node::{Node, Nodes};
@@ -158,6 +161,24 @@ fn nearest_far(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> Option<Leaf
     None
 }
 
+/// Is it only for the errors of floats that `far` does not hold, as between parallel lines at just the distance asked for?
+pub fn far_within_errors(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> bool {
+    let mut n = sub(&super::vector::middle(&a.low, &a.high), &super::vector::middle(&b.low, &b.high));
+    for axis in 0..3 {
+        if a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis] {
+            continue;
+        }
+        // Only axes along which the boxes are apart, if there are any.
+        if (0..3).any(|other| a.low[other] > b.high[other] || b.low[other] > a.high[other]) {
+            n[axis] = 0.0;
+        }
+    }
+    let norm = dot(&n, &n).sqrt();
+    let error = norm1(&n) * (a.error + b.error + 4.0 * UNIT * (reach(a) + reach(b)));
+    let value = support(nodes, a, &n, false) - support(nodes, b, &n, true);
+    value + 4.0 * error >= target.length * norm * (1.0 - 16.0 * UNIT)
+}
+
 /// `not_normal` for two different nodes that are not adjacent.
 pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
     let signs: Signs = [if a.has_end { -1 } else { 0 }, if b.has_end { -1 } else { 0 }];
@@ -169,36 +190,6 @@ pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
     if has_zero(tangents_a) || has_zero(tangents_b) {
         return None;
     }
-    // Coordinates from here, so that products stay small beside a large common offset.
-    let origin = points_a[0];
-    let mut rectangles = Vec::with_capacity(points_a.len() * points_b.len());
-    let products = |points: &[Vector], tangents: &[Vector]| -> Vec<f64> {
-        points
-            .iter()
-            .flat_map(|point| {
-                let local = sub(point, &origin);
-                tangents.iter().map(move |tangent| dot(&local, tangent))
-            })
-            .collect()
-    };
-    let (p_v, p_w) = (products(points_a, tangents_a), products(points_a, tangents_b));
-    let (q_v, q_w) = (products(points_b, tangents_a), products(points_b, tangents_b));
-    let range = |p: &[f64], q: &[f64]| {
-        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-        for (x, y) in p.iter().zip(q) {
-            range = [range[0].min(x - y), range[1].max(x - y)];
-        }
-        range
-    };
-    let (v, w) = (tangents_a.len(), tangents_b.len());
-    for i in 0..points_a.len() {
-        for j in 0..points_b.len() {
-            rectangles.push(Rectangle {
-                a: range(&p_v[i * v..(i + 1) * v], &q_v[j * v..(j + 1) * v]),
-                b: range(&p_w[i * w..(i + 1) * w], &q_w[j * w..(j + 1) * w]),
-            });
-        }
-    }
     // The chord's components are at most `extent` in magnitude, and each off by `chord_error`.
     let mut extent = 0.0f64;
     for axis in 0..3 {
@@ -209,8 +200,85 @@ pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
         let most = tangents.iter().map(norm1).fold(0.0, f64::max);
         most * chord_error + 3.0 * extent * node.tangent_error + 8.0 * UNIT * most * extent
     };
-    let factors = choose(&rectangles, [error(a, tangents_a), error(b, tangents_b)], signs)?;
+    let errors = [error(a, tangents_a), error(b, tangents_b)];
+    // Coordinates from here, so that products stay small beside a large common offset.
+    let origin = points_a[0];
+    let of_v = ChordProducts::new(points_a, points_b, tangents_a, &origin);
+    if let Some(sign) = of_v.sign(errors[0]).filter(|sign| signs[0] == 0 || *sign == i64::from(signs[0])) {
+        return Some(Leaf::NotNormal([sign.into(), 0.into()]));
+    }
+    let of_w = ChordProducts::new(points_a, points_b, tangents_b, &origin);
+    if let Some(sign) = of_w.sign(errors[1]).filter(|sign| signs[1] == 0 || *sign == i64::from(signs[1])) {
+        return Some(Leaf::NotNormal([0.into(), sign.into()]));
+    }
+    let mut rectangles: SmallVec<[Rectangle; 16]> = SmallVec::new();
+    of_v.each_chord(&of_w, |a, b| rectangles.push(Rectangle { a, b }));
+    let factors = choose(&rectangles, errors, signs)?;
     Some(Leaf::NotNormal(factors.map(Into::into)))
+}
+
+/// Products of points with tangents, all those of a point together; on the stack up to cubics.
+type Products = SmallVec<[f64; 16]>;
+
+/// The products p·v and q·v for all p∈H(A), q∈H(B) and the tangents v of one node.
+struct ChordProducts {
+    of_a: Products,
+    of_b: Products,
+    tangents: usize,
+    /// Least and greatest (p−q)·v.
+    range: [f64; 2],
+}
+
+impl ChordProducts {
+    fn new(points_a: &[Vector], points_b: &[Vector], tangents: &[Vector], origin: &Vector) -> Self {
+        let products = |points: &[Vector]| {
+            let mut products = Products::new();
+            for point in points {
+                let local = sub(point, origin);
+                products.extend(tangents.iter().map(|tangent| dot(&local, tangent)));
+            }
+            products
+        };
+        let (of_a, of_b) = (products(points_a), products(points_b));
+        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        for v in 0..tangents.len() {
+            let bounds = |products: &Products| {
+                let of_v = products.iter().skip(v).step_by(tangents.len());
+                of_v.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(*x), high.max(*x)])
+            };
+            let (p, q) = (bounds(&of_a), bounds(&of_b));
+            range = [range[0].min(p[0] - q[1]), range[1].max(p[1] - q[0])];
+        }
+        ChordProducts { of_a, of_b, tangents: tangents.len(), range }
+    }
+
+    /// The sign that all (p−q)·v certainly have.
+    fn sign(&self, error: f64) -> Option<i64> {
+        let error = error * 1.000_001;
+        if self.range[0] > error {
+            Some(1)
+        } else if self.range[1] < -error {
+            Some(-1)
+        } else {
+            None
+        }
+    }
+
+    /// The ranges of (p−q)·v and (p−q)·w for each p, q, with `other` holding the products with the w.
+    fn each_chord(&self, other: &ChordProducts, mut found: impl FnMut([f64; 2], [f64; 2])) {
+        let range = |p: &[f64], q: &[f64]| {
+            let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+            for (x, y) in p.iter().zip(q) {
+                range = [range[0].min(x - y), range[1].max(x - y)];
+            }
+            range
+        };
+        for (p_v, p_w) in self.of_a.chunks(self.tangents).zip(other.of_a.chunks(other.tangents)) {
+            for (q_v, q_w) in self.of_b.chunks(self.tangents).zip(other.of_b.chunks(other.tangents)) {
+                found(range(p_v, q_v), range(p_w, q_w));
+            }
+        }
+    }
 }
 
 fn has_zero(tangents: &[Vector]) -> bool {
@@ -249,20 +317,34 @@ fn not_normal_of_runs(nodes: &Nodes, a: &Node, b: &Node, signs: Signs) -> Option
 
 /// `cone` for one node or two adjacent ones.
 pub fn cone(nodes: &Nodes, a: &Node, b: Option<&Node>) -> Option<Leaf> {
-    let both = match b {
+    const HALF_RIGHT_ANGLE: f64 = std::f64::consts::FRAC_1_SQRT_2;
+    let runs = a.is_run() || b.is_some_and(Node::is_run);
+    let cone = match b {
         None => nodes.cone(a),
-        Some(b) => nodes.cone(a).merged(&nodes.cone(b)),
+        Some(b) if runs => {
+            let (of_a, of_b) = (nodes.cone(a), nodes.cone(b));
+            if of_a.cosine < HALF_RIGHT_ANGLE || of_b.cosine < HALF_RIGHT_ANGLE {
+                return None;
+            }
+            of_a.merged(&of_b)
+        }
+        Some(b) => Cone::around(nodes.tangents(a).iter().chain(nodes.tangents(b))),
     };
-    if both.angle >= std::f64::consts::FRAC_PI_4 {
+    if cone.cosine <= HALF_RIGHT_ANGLE {
         return None;
     }
-    let margin = std::f64::consts::FRAC_PI_4 - both.angle;
+    // A cone is only as good as the floats its tangents were.
+    if !trustworthy(nodes, a) || !b.is_none_or(|b| trustworthy(nodes, b)) {
+        return None;
+    }
+    // n may be off the axis by the angle left to 45°: cos(45° − φ) for a cone of half-angle φ.
+    let sine = (1.0 - (cone.cosine * cone.cosine).min(1.0)).sqrt();
+    let needed = HALF_RIGHT_ANGLE * (cone.cosine + sine) + 1e-7;
     for bits in [2u32, 3, 5, 8, 12, 20] {
-        let n = quantised(&both.axis, bits);
+        let n = quantised(&cone.axis, bits);
         let as_float = from_integers(&n);
-        let cosine = dot(&as_float, &both.axis) / dot(&as_float, &as_float).sqrt();
-        // The cone is only as good as the floats its tangents were.
-        if cosine.clamp(-1.0, 1.0).acos() + 1e-6 < margin && trustworthy(nodes, a) && b.is_none_or(|b| trustworthy(nodes, b)) {
+        let along = dot(&as_float, &cone.axis);
+        if along > 0.0 && along * along > needed * needed * dot(&as_float, &as_float) {
             return Some(Leaf::Cone(n.map(Into::into)));
         }
     }
@@ -271,7 +353,7 @@ pub fn cone(nodes: &Nodes, a: &Node, b: Option<&Node>) -> Option<Leaf> {
 
 /// Are the tangents of a node so much larger than their errors that their directions are right to 10⁻⁷?
 fn trustworthy(nodes: &Nodes, node: &Node) -> bool {
-    node.is_run() || nodes.tangents(node).iter().all(|v| greatest(v) > 1e7 * node.tangent_error)
+    node.is_run() || nodes.tangents(node).iter().all(|v| greatest(v) > 1e8 * node.tangent_error)
 }
 
 /// `bend` for one node or two adjacent ones, none of them a run.
@@ -289,7 +371,7 @@ pub fn bend(nodes: &Nodes, a: &Node, b: Option<&Node>, signs: Signs) -> Option<L
         products.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| [low.min(y), high.max(y)])
     };
     let path = [a, second].into_iter().filter(|node| !node.is_point()).flat_map(|node| nodes.tangents(node));
-    let rectangles: Vec<Rectangle> = path.map(|x| Rectangle { a: range(x, v), b: range(x, w) }).collect();
+    let rectangles: SmallVec<[Rectangle; 16]> = path.map(|x| Rectangle { a: range(x, v), b: range(x, w) }).collect();
     let most = |vectors: &[Vector]| vectors.iter().map(norm1).fold(0.0, f64::max);
     let (size, tangent_error) = (most(v).max(most(w)), a.tangent_error.max(second.tangent_error));
     let error = 2.0 * size * tangent_error + 3.0 * tangent_error * tangent_error + 8.0 * UNIT * size * size;

@@ -9,14 +9,14 @@ use super::float_chain::FloatChain;
 use super::node::run_cones;
 use super::seeds;
 use super::tree::{Curve as SearchCurve, Failure, search};
-use super::upper::{Bounds, UpperBound};
+use super::upper::{Bounds, UpperBound, few_bits_between};
 use crate::certificate::{Document, Encoding, write};
 use crate::check::chain::Chain;
 use crate::check::cover::Context;
 use crate::check::{Verdict, check};
 use crate::claim::msd::{Convention, Evidence, Lower, Statement};
 use crate::curve::Curve;
-use crate::number::{Integer, Rational, RationalExt, simplest_between};
+use crate::number::{Integer, Rational, RationalExt};
 
 /// What to certify, and how hard to try.
 #[derive(Clone, Debug)]
@@ -383,5 +383,5 @@ fn below(squared: &Rational, relative_width: &Rational) -> Rational {
     let one = Rational::from_integer(1.into());
     let factor = &one - relative_width;
     let nearer = &factor + &factor * relative_width / Rational::from_integer(20.into());
-    simplest_between(&(squared * &factor * &factor), &(squared * &nearer * &nearer))
+    few_bits_between(&(squared * &factor * &factor), &(squared * &nearer * &nearer))
 }

@@ -109,7 +109,7 @@ pub fn run_cones(context: &Context, floats: &FloatChain) -> Vec<Cone> {
         if last - first == 1 {
             return match context.elements.get(first) {
                 Element::Piece(piece) => floats.pieces[piece].cone,
-                point => Cone::around(&point_tangents(context, floats, point)),
+                point => Cone::around(point_tangents(context, floats, point).iter()),
             };
         }
         let number = cones.len();
@@ -145,8 +145,8 @@ fn point_tangents(context: &Context, floats: &FloatChain, element: Element) -> V
 impl<'s> Nodes<'s> {
     /// An empty stack.
     pub fn new(context: &'s Context<'s>, floats: &'s FloatChain, run_cones: &'s [Cone]) -> Self {
-        let grid_unit = 2f64.powi(-(context.grid_scale.exponent.min(1000) as i32));
-        Nodes { context, floats, run_cones, grid_unit, arena: Vec::new() }
+        let grid_unit = 2f64.powi(-(context.grid.min(1000) as i32));
+        Nodes { context, floats, run_cones, grid_unit, arena: Vec::with_capacity(1024) }
     }
 
     /// The height of the stack, to return to.
@@ -210,7 +210,7 @@ impl<'s> Nodes<'s> {
             }
             crate::check::boxes::Boxes::Large(boxes) => {
                 let [low, high] = &boxes[number];
-                let scale = &self.context.grid_scale;
+                let scale = self.context.grid_scale();
                 let wide = |x: f64, up: bool| if up { x + x.abs() * 8.0 * UNIT } else { x - x.abs() * 8.0 * UNIT };
                 let vector = |v: &[crate::number::Integer; 3], up| {
                     let [x, y, z] = [0, 1, 2].map(|i| wide(super::float_chain::quotient(&v[i], scale), up));
@@ -335,7 +335,7 @@ impl<'s> Nodes<'s> {
         match node.kind {
             Kind::Run { number, .. } => self.run_cones[number],
             Kind::Part { piece, depth: 0, .. } => self.floats.pieces[piece].cone,
-            _ => Cone::around(self.tangents(node)),
+            _ => Cone::around(self.tangents(node).iter()),
         }
     }
 

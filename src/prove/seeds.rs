@@ -10,8 +10,8 @@ use super::node::{Kind, Node, Nodes};
 use super::vector::{dot, sub};
 use crate::check::element::Element;
 
-/// Parts are given to Newton's method when all tangents are within this angle of an axis.
-const STRAIGHT: f64 = 0.6;
+/// Parts are given to Newton's method when all tangents make an angle of at least this cosine with an axis.
+const STRAIGHT: f64 = 0.82;
 /// How often a piece may be halved in this pass.
 const DEPTH: u32 = 9;
 /// How many candidates are kept, shortest first.
@@ -58,7 +58,7 @@ fn box_distance(a: &Node, b: &Node) -> f64 {
 impl Seeds<'_, '_> {
     fn pair(&mut self, a: &Node, b: Option<&Node>, contact: Contact) {
         let Some(b) = b else {
-            if a.is_point() || leaf::cone(self.nodes, a, None).is_some() {
+            if a.is_point() || self.nodes.cone(a).cosine > 0.1 {
                 return;
             }
             if a.depth() >= DEPTH {
@@ -80,7 +80,7 @@ impl Seeds<'_, '_> {
         }
         self.steps -= 1;
         let touching = contact.forward || contact.backward;
-        if touching && leaf::cone(self.nodes, a, Some(b)).is_some() {
+        if touching && self.gentle(a, b) {
             return;
         }
         if !touching && (a.is_run() || b.is_run()) && leaf::not_normal(self.nodes, a, b).is_some() {
@@ -107,6 +107,12 @@ impl Seeds<'_, '_> {
         self.nodes.release(mark);
     }
 
+    /// Do two nodes that meet bend so little that a double normal between them is unlikely? If there is one, the search will find it.
+    fn gentle(&self, a: &Node, b: &Node) -> bool {
+        let (of_a, of_b) = (self.nodes.cone(a), self.nodes.cone(b));
+        of_a.cosine > 0.5 && of_b.cosine > 0.5 && dot(&of_a.axis, &of_b.axis) > -0.3
+    }
+
     /// Looks for double normals of two nodes that do not meet; `false` if they are to be split.
     fn settled(&mut self, a: &Node, b: &Node) -> bool {
         if a.is_run() || b.is_run() {
@@ -116,7 +122,7 @@ impl Seeds<'_, '_> {
             self.corners(a, b);
             return true;
         }
-        let straight = |node: &Node| node.is_point() || self.nodes.cone(node).angle < STRAIGHT;
+        let straight = |node: &Node| node.is_point() || self.nodes.cone(node).cosine > STRAIGHT;
         if !straight(a) || !straight(b) {
             return false;
         }

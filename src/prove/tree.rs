@@ -65,7 +65,12 @@ pub fn search(curve: &Curve, goal: &Goal, out: &mut dyn Write, progress: &dyn Fn
     let total = items.len();
     for (done, batch) in items.chunks(BATCH).enumerate() {
         progress((done * BATCH) as f64 / total as f64);
-        let results: Vec<Result<(Vec<u8>, u64), Event>> = batch.par_iter().map(|item| subtree(curve, goal, item)).collect();
+        // Small curves are not worth waking other threads.
+        let results: Vec<Result<(Vec<u8>, u64), Event>> = if total < 4 {
+            batch.iter().map(|item| subtree(curve, goal, item)).collect()
+        } else {
+            batch.par_iter().map(|item| subtree(curve, goal, item)).collect()
+        };
         for result in results {
             let (tokens, more) = result.map_err(Failure::Event)?;
             leaves += more;

@@ -4,10 +4,10 @@ use super::float_chain::FloatChain;
 use super::newton::{self, Candidate, Location};
 use super::vector::{dot, from_integers, quantised, scale, sub};
 use crate::check::chain::Chain;
-use crate::check::hull::Gap;
+use crate::check::hull::{Gap, Hull};
 use crate::check::rule::{critical, crossing, miranda, root};
-use crate::check::section::{as_joint, joint_pieces, locate, point, section, sections, smooth_at};
-use crate::check::word::{dot as exact_dot, widening};
+use crate::check::section::{Section, as_joint, joint_pieces, locate, point, section, sections, smooth_at};
+use crate::check::word::{Word, dot as exact_dot, widening};
 use crate::claim::msd::{Convention, Interval, Side, Upper};
 use crate::number::{Integer, Rational, RationalExt, approximate, simplest_between};
 
@@ -45,6 +45,20 @@ fn power_of_two(bits: u32) -> Rational {
 fn rounded(x: &Rational, bits: u32) -> Rational {
     let half = Rational::new(Integer::from(1), Integer::from(2));
     Rational::new((x * Rational::from_integer(Integer::from(1) << bits) + half).floor().to_integer(), Integer::from(1) << bits)
+}
+
+/// A fraction with few bits in a closed interval of positive numbers.
+pub fn few_bits_between(low: &Rational, high: &Rational) -> Rational {
+    // First inwards to multiples of a power of two, so that the search for the simplest fraction has small numbers.
+    let width = high - low;
+    let bits = width.denom().bits().saturating_sub(width.numer().bits()) + 4;
+    let Ok(bits) = u32::try_from(bits) else { return simplest_between(low, high) };
+    let unit = Integer::from(1) << bits;
+    let (inner_low, inner_high) = (low.ceil_shifted(bits), high.floor_shifted(bits));
+    if inner_low > inner_high {
+        return simplest_between(low, high);
+    }
+    simplest_between(&Rational::new(inner_low, unit.clone()), &Rational::new(inner_high, unit))
 }
 
 impl Bounds<'_> {
@@ -155,7 +169,8 @@ impl Bounds<'_> {
         for _ in 0..8 {
             let (of_s, of_t) = (locate(self.chain, &s, Side::After)?, locate(self.chain, &t, Side::After)?);
             let (p, q) = (point::<Integer>(self.chain, &of_s)?, point::<Integer>(self.chain, &of_t)?);
-            let gap = Gap::new(&p.point, &q.point)?;
+            let (of_p, of_q) = (p.hull(), q.hull());
+            let gap = Gap::new(&of_p, &of_q)?;
             let residual = |field: &[Integer; 3], scale: &crate::check::chain::Scale| {
                 let mut value = None;
                 gap.all_differences(|x, unit| {
@@ -193,7 +208,7 @@ impl Bounds<'_> {
         else {
             return 1.0;
         };
-        let field = here.field.each_ref().map(|x| super::float_chain::quotient(x, &here.field_scale));
+        let field = here.field.each_ref().map(|x| super::float_chain::quotient(x, here.field_scale.doubled(0)));
         let length = (field[0] * field[0] + field[1] * field[1] + field[2] * field[2]).sqrt();
         dot(&derivative, &derivative).sqrt() / length
     }
@@ -201,13 +216,20 @@ impl Bounds<'_> {
     /// The existence of a double normal in a small box around the candidate.
     fn miranda(&self, candidate: &Candidate, relative_width: &Rational) -> Option<UpperBound> {
         let (s, t) = (self.global(candidate.s)?, self.global(candidate.t)?);
-        let (_, p1, _) = { let [p, p1, p2] = self.floats.evaluate(candidate.s.0, candidate.s.1); (p, p1, p2) };
+        let [_, p1, _] = self.floats.evaluate(candidate.s.0, candidate.s.1);
         let [_, q1, _] = self.floats.evaluate(candidate.t.0, candidate.t.1);
         let speed = dot(&p1, &p1).max(dot(&q1, &q1)).sqrt();
         let length = candidate.squared.sqrt();
         let width = relative_width.to_f64();
         let bits = (speed / (length * (0.02 * width).sqrt())).log2().ceil().clamp(8.0, 100.0) as u32;
-        let (s, t) = self.refined(s, t, bits + 24)?;
+        // Floats settle a well-conditioned root to about 2^-45.
+        let start = (rounded(&s, bits + 8), rounded(&t, bits + 8));
+        let quick = if bits <= 36 { self.miranda_near(start, bits, relative_width) } else { None };
+        quick.or_else(|| self.miranda_near(self.refined(s, t, bits + 8)?, bits, relative_width))
+    }
+
+    /// The same for two parameters that are right to a small part of 2^-bits.
+    fn miranda_near(&self, (s, t): (Rational, Rational), bits: u32, relative_width: &Rational) -> Option<UpperBound> {
         let (s, t) = if s <= t { (s, t) } else { (t, s) };
         let jacobian = self.jacobian(self.local(&s), self.local(&t));
         let (scale_s, scale_t) = (self.field_scale(self.local(&s)), self.field_scale(self.local(&t)));
@@ -229,11 +251,11 @@ impl Bounds<'_> {
             };
             let (s, t) = (interval(&s), interval(&t));
             let Some(reach) = self.greatest_distance(&s, &t).filter(|reach| *reach <= aim) else { continue };
-            let squared = simplest_between(&reach, &(&reach * (Rational::from_integer(1.into()) + relative_width * Rational::new(1.into(), 20.into()))));
+            let squared = few_bits_between(&reach, &(&reach * (Rational::from_integer(1.into()) + relative_width * Rational::new(1.into(), 20.into()))));
             for subdivisions in [1, 2, 4, 8, 16, 32] {
                 let regular = [self.direction(&s), self.direction(&t)];
                 let witness = miranda::Witness { s: &s, t: &t, first: &first, second: &second, regular: &regular, subdivisions };
-                let outcome = widening!(64, W => miranda::check::<W>(self.chain, &witness, &squared));
+                let outcome = widening!(128, W => miranda::check::<W>(self.chain, &witness, &squared));
                 if outcome.is_ok() {
                     let at = [(&s.start + &s.end) / integer(2), (&t.start + &t.end) / integer(2)];
                     let rule = Upper::Miranda { s, t, first, second, regular, subdivisions };
@@ -267,25 +289,8 @@ impl Bounds<'_> {
 
     /// The greatest |p−q|² over the hulls of two intervals.
     fn greatest_distance(&self, s: &Interval, t: &Interval) -> Option<Rational> {
-        let mut most: Option<Rational> = None;
-        for a in &sections(self.chain, s)?.0 {
-            let a = section::<Integer>(self.chain, a)?;
-            for b in &sections(self.chain, t)?.0 {
-                let b = section::<Integer>(self.chain, b)?;
-                let gap = Gap::new(&a.hull, &b.hull)?;
-                let common = gap.common.value();
-                gap.all_differences(|x, unit| {
-                    let unit = unit * &common;
-                    let squared = Rational::new_raw(exact_dot(x, x)?, &unit * &unit);
-                    let greater = |most: &Rational| squared.numer() * most.denom() > most.numer() * squared.denom();
-                    if most.as_ref().is_none_or(greater) {
-                        most = Some(squared);
-                    }
-                    Some(true)
-                })?;
-            }
-        }
-        most.map(|most| most.reduced())
+        let (s, t) = (sections(self.chain, s)?.0, sections(self.chain, t)?.0);
+        widening!(128, W => greatest_distance::<W>(self.chain, &s, &t))
     }
 
     /// A critical chord from a corner or an end to the inside of a piece.
@@ -318,7 +323,7 @@ impl Bounds<'_> {
                 let regular = self.direction(&interval);
                 let Some(reach) = self.reach_from(&s, &pieces) else { continue };
                 let grown = &reach * (Rational::from_integer(1.into()) + relative_width * Rational::new(1.into(), 20.into()));
-                let squared = simplest_between(&reach, &grown);
+                let squared = few_bits_between(&reach, &grown);
                 let outcome = widening!(64, W => critical::check_interval::<W>(self.chain, &s, &interval, &regular, &squared));
                 if outcome.is_ok() {
                     let at = [s.clone(), (&interval.start + &interval.end) / integer(2)];
@@ -349,22 +354,13 @@ impl Bounds<'_> {
         None
     }
 
-    fn reach_from(&self, s: &Rational, pieces: &[crate::check::section::Section]) -> Option<Rational> {
+    fn reach_from(&self, s: &Rational, pieces: &[Section]) -> Option<Rational> {
         let corner = point::<Integer>(self.chain, &locate(self.chain, s, self.any_side(s))?)?;
-        let mut most = Rational::from_integer(0.into());
+        let mut most = None;
         for piece in pieces {
-            let part = section::<Integer>(self.chain, piece)?;
-            let gap = Gap::new(&corner.point, &part.hull)?;
-            gap.all_differences(|x, unit| {
-                let unit = unit * gap.common.value();
-                let squared = Rational::new(exact_dot(x, x)?, &unit * &unit);
-                if squared > most {
-                    most = squared;
-                }
-                Some(true)
-            })?;
+            most = farther(most, &corner.hull(), &section::<Integer>(self.chain, piece)?.hull())?;
         }
-        Some(most)
+        most
     }
 
     /// A transversal self-crossing of a planar curve near two parameters, or a double point at simple fractions.
@@ -427,4 +423,46 @@ impl Bounds<'_> {
         }
         (s, t)
     }
+}
+
+/// The greatest |p−q|² over the hulls of two lists of sections; the outer `None` is an overflow.
+fn greatest_distance<W: Word>(chain: &Chain, first: &[Section], second: &[Section]) -> Option<Option<Rational>> {
+    let mut most = None;
+    for a in first {
+        let a = section::<W>(chain, a)?;
+        for b in second {
+            most = farther(most, &a.hull(), &section::<W>(chain, b)?.hull())?;
+        }
+    }
+    Some(most)
+}
+
+/// The greater of `most` and the greatest |p−q|² over two hulls.
+fn farther<W: Word>(most: Option<Rational>, a: &Hull<'_, W>, b: &Hull<'_, W>) -> Option<Option<Rational>> {
+    let gap = Gap::new(a, b)?;
+    // Squares over the same unit are compared as integers, which is the rule for polynomial pieces.
+    let mut best: Option<(W, W)> = None;
+    let mut all = most;
+    let common = gap.common.value();
+    let mut keep = |best: Option<(W, W)>| {
+        if let Some((square, unit)) = best {
+            let unit = unit.to_integer() * &common;
+            let square = Rational::new(square.to_integer(), &unit * &unit);
+            all = Some(all.take().map_or(square.clone(), |all| all.max(square)));
+        }
+    };
+    gap.all_differences(|x, unit| {
+        let square = exact_dot(x, x)?;
+        match &best {
+            Some((known, same)) if same == unit => {
+                if square > *known {
+                    best = Some((square, unit.clone()));
+                }
+            }
+            _ => keep(best.replace((square, unit.clone()))),
+        }
+        Some(true)
+    })?;
+    keep(best);
+    Some(all)
 }

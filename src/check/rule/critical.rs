@@ -105,8 +105,8 @@ pub fn check_interval<W: Word>(
         return Some(fails("m·w > 0 for all tangents of the interval", "a product that is not positive".into()));
     }
     let corner = point::<W>(chain, &locate(chain, s, side_of(chain, s))?)?;
-    let one_way = one_sided(chain, &corner.point, &pieces, &signs, false)?;
-    let critical = one_way || signs.len() == 2 && one_sided(chain, &corner.point, &pieces, &signs, true)?;
+    let one_way = one_sided(chain, &corner.hull(), &pieces, &signs, false)?;
+    let critical = one_way || signs.len() == 2 && one_sided(chain, &corner.hull(), &pieces, &signs, true)?;
     if !critical {
         return Some(fails("a chord critical at s for all of the interval", "one that is not".into()));
     }
@@ -114,7 +114,7 @@ pub fn check_interval<W: Word>(
     for end in [false, true] {
         let here = point::<W>(chain, &end_of(&pieces, end))?;
         let mut sign = Ordering::Equal;
-        Gap::new(&here.point, &corner.point)?.all(&here.field, |gap, _, _| {
+        Gap::new(&here.hull(), &corner.hull())?.all(&here.field, |gap, _, _| {
             sign = gap.sign();
             Some(true)
         })?;
@@ -124,7 +124,7 @@ pub fn check_interval<W: Word>(
         return Some(fails("opposite signs at the ends of the interval", format!("{at_ends:?}")));
     }
     for piece in &pieces {
-        if !at_most(&corner.point, &section::<W>(chain, piece)?.hull, upper_squared)? {
+        if !at_most(&corner.hull(), &section::<W>(chain, piece)?.hull(), upper_squared)? {
             return Some(fails("upper_squared ≥ |E−q|² for all hull points", "a longer difference".into()));
         }
     }
@@ -134,7 +134,7 @@ pub fn check_interval<W: Word>(
 /// Is (E−q)·v ≥ 0 for all q where `signs` says `true`, ≤ 0 where it says `false` (all reversed if `reverse`)?
 fn one_sided<W: Word>(
     chain: &Chain,
-    corner: &crate::check::hull::Hull<W>,
+    corner: &crate::check::hull::Hull<'_, W>,
     pieces: &[crate::check::section::Section],
     signs: &[([W; 3], bool)],
     reverse: bool,
@@ -143,7 +143,8 @@ fn one_sided<W: Word>(
         let part = section::<W>(chain, piece)?;
         for (v, positive) in signs {
             // The least of (E−q)·v, or of (q−E)·v.
-            let gap = if *positive != reverse { Gap::new(corner, &part.hull) } else { Gap::new(&part.hull, corner) }?;
+            let hull = part.hull();
+            let gap = if *positive != reverse { Gap::new(corner, &hull) } else { Gap::new(&hull, corner) }?;
             if !gap.all(v, |g, _, _| Some(g >= W::zero()))? {
                 return Some(false);
             }

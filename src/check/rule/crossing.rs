@@ -41,7 +41,8 @@ fn face<W: Word>(chain: &Chain, across: &[Section], along: &[Section], n: &[W; 3
     let n = if end { n.clone() } else { [zero.minus(&n[0])?, zero.minus(&n[1])?, zero.minus(&n[2])?] };
     for piece in along {
         let part = section::<W>(chain, piece)?;
-        let gap = if swapped { Gap::new(&part.hull, &here.point) } else { Gap::new(&here.point, &part.hull) }?;
+        let (point, hull) = (here.hull(), part.hull());
+        let gap = if swapped { Gap::new(&hull, &point) } else { Gap::new(&point, &hull) }?;
         if !gap.positive(&n)? {
             return Some(false);
         }

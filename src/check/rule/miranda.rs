@@ -7,7 +7,7 @@
 //! is continuous on the longer box; on its faces F is linear in D there, so its sign is that of the two ends, which are tested; a zero on the segment is one at the joint.
 
 use super::{Outcome, fails};
-use crate::check::chain::{Chain, Scale};
+use crate::check::chain::Chain;
 use crate::check::hull::{Gap, Hull, bring_together};
 use crate::check::section::{HullAndField, PointAndField, apart, end_of, point, section, sections, smooth_at};
 use crate::check::word::{Word, combine, dot, vector};
@@ -98,7 +98,7 @@ fn within<W: Word>(
     for a in first {
         let a = section::<W>(chain, a)?;
         for b in second {
-            if !at_most(&a.hull, &section::<W>(chain, b)?.hull, upper_squared)? {
+            if !at_most(&a.hull(), &section::<W>(chain, b)?.hull(), upper_squared)? {
                 return Some(false);
             }
         }
@@ -107,7 +107,7 @@ fn within<W: Word>(
 }
 
 /// Is upper_squared ≥ |p−q|² for all points of the two hulls?
-pub fn at_most<W: Word>(a: &Hull<W>, b: &Hull<W>, upper_squared: &Rational) -> Option<bool> {
+pub fn at_most<W: Word>(a: &Hull<'_, W>, b: &Hull<'_, W>, upper_squared: &Rational) -> Option<bool> {
     let gap = Gap::new(a, b)?;
     let common = W::from_integer(&gap.common.value())?;
     let (numerator, denominator) = (W::from_integer(upper_squared.numer())?, W::from_integer(upper_squared.denom())?);
@@ -121,12 +121,13 @@ pub fn at_most<W: Word>(a: &Hull<W>, b: &Hull<W>, upper_squared: &Rational) -> O
 /// `swapped`.
 fn face<W: Word>(here: &PointAndField<W>, part: &HullAndField<W>, factors: &[Integer; 2], swapped: bool, end: bool) -> Option<bool> {
     let (fixed, moving) = if swapped { (&factors[1], &factors[0]) } else { (&factors[0], &factors[1]) };
-    let (s, t, _): (W, W, Scale) = bring_together(&here.field_scale, &part.field_scale)?;
+    let (s, t, _): (W, W, _) = bring_together(here.field_scale.doubled(0), part.field_scale.doubled(0))?;
     let (mut fixed, mut moving) = (W::from_integer(fixed)?.times(&t)?, W::from_integer(moving)?.times(&s)?);
     if !end {
         (fixed, moving) = (W::zero().minus(&fixed)?, W::zero().minus(&moving)?);
     }
-    let gap = if swapped { Gap::new(&part.hull, &here.point) } else { Gap::new(&here.point, &part.hull) }?;
+    let (point, hull) = (here.hull(), part.hull());
+    let gap = if swapped { Gap::new(&hull, &point) } else { Gap::new(&point, &hull) }?;
     for w in &part.fields {
         if !gap.positive(&combine(&fixed, &here.field, &moving, w)?)? {
             return Some(false);

@@ -13,8 +13,9 @@ use crate::number::{Integer, Rational};
 pub fn chord(chain: &Chain, s: (&Rational, Side), t: (&Rational, Side)) -> Option<([Integer; 3], Integer)> {
     let at = |(parameter, side)| {
         let here = point::<Integer>(chain, &locate(chain, parameter, side)?).expect("unbounded integers do not overflow");
-        let (x, weight) = here.point.points().next().expect("a point");
-        let weight = weight.cloned().unwrap_or_else(|| here.point.shared_scale().expect("one weight").value());
+        let hull = here.hull();
+        let (x, weight) = hull.points().next().expect("a point");
+        let weight = weight.cloned().unwrap_or_else(|| hull.shared_scale().expect("one weight").value());
         Some((x.clone(), weight))
     };
     let ((p, w), (q, v)) = (at(s)?, at(t)?);
@@ -43,6 +44,9 @@ pub fn product(a: &[Integer; 3], b: &[Integer; 3]) -> Integer {
 /// Checks `root`.
 pub fn check(chain: &Chain, s: &(Rational, Side), t: &(Rational, Side), upper_squared: &Rational) -> Outcome {
     ordered(chain, &s.0, &t.0)?;
+    if [s, t].into_iter().any(|(parameter, side)| *side == Side::Before && !parameter.is_integer()) {
+        return fails("the side \"after\" of a parameter that is not an integer", "\"before\"".into());
+    }
     let Some((x, unit)) = chord(chain, (&s.0, s.1), (&t.0, t.1)) else {
         return fails("a piece on the side named", "none".into());
     };
