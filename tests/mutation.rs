@@ -103,7 +103,10 @@ impl Tally {
                 let true_again = if document.curve == self.original.curve {
                     is_true(&document, self.known_of(&document))
                 } else {
-                    is_true(&document, &recomputed(&document.curve, document.statement.convention))
+                    let recompute = || recomputed(&document.curve, document.statement.convention);
+                    let known = std::panic::catch_unwind(recompute);
+                    let known = known.unwrap_or_else(|_| panic!("{}: {what}: {}", self.name, String::from_utf8_lossy(&bytes)));
+                    is_true(&document, &known)
                 };
                 assert!(true_again, "{}: {what} is accepted and false: {:?}", self.name, document.statement);
                 self.accepted.push(bytes);
