@@ -173,8 +173,14 @@ fn has_tangents(curve: &Curve) -> bool {
     curve.chain().pieces().iter().all(|piece| piece.start_direction().is_some())
 }
 
+/// So many cases, unless the environment asks for more.
+fn usual_cases(usual: u32) -> u32 {
+    let asked = std::env::var("PROPTEST_CASES").ok().and_then(|text| text.parse().ok());
+    asked.unwrap_or(usual)
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, max_shrink_iters: 200, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: usual_cases(96), max_shrink_iters: 200, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn certificates_are_accepted_and_consistent(curve in curves(5).prop_filter("a point", has_tangents)) {

@@ -125,7 +125,7 @@ pub fn next_pair<S: AsRef<str>>(elements: &[Element], tokens: &[S]) -> Option<[N
     stack.next()
 }
 
-/// Is an element, or a part, within a node?
+/// Is a node within another?
 pub fn holds(elements: &[Element], node: &Node, inner: &Node) -> bool {
     let of_run = |a: usize, b: usize| {
         elements[a..b].iter().any(|element| match (element, inner) {
@@ -135,6 +135,7 @@ pub fn holds(elements: &[Element], node: &Node, inner: &Node) -> bool {
         })
     };
     match (node, inner) {
+        (Node::Run(a, b), Node::Run(c, d)) => a <= c && d <= b,
         (Node::Run(a, b), _) => of_run(*a, *b),
         (Node::Part { piece, index, depth }, Node::Part { piece: p, index: i, depth: d }) => {
             piece == p && d >= depth && i >> (d - depth) == *index

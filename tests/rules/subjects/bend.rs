@@ -40,6 +40,15 @@ pub fn cases() -> Vec<Case> {
     cases.reject("scales-1--2000", &scales.clone().token(2, "bend 1 -2000"), obligation_at("bend", 2));
     cases.reject("scales-1--2001", &scales.token(2, "bend 1 -2001"), obligation_at("bend", 2));
 
+    // Runs get no bend, whatever its obligation would be: here all tangents are alike.
+    let straight = polygon(json!([[0, 0], [1, 0], [2, 0], [3, 0], [4, 0]]));
+    let run = |leaf: &str| Certificate::new(straight.clone()).lower("inf", &[leaf]);
+    cases.accept("run-under-cone", &run("cone 1 0"));
+    cases.reject("run-with-itself", &run("bend 1 0"), obligation_at("bend", 0));
+    let halves = |leaf: &str| Certificate::new(straight.clone()).lower("inf", &["split", "cone 1 0", leaf, "cone 1 0"]);
+    cases.accept("two-runs-under-cone", &halves("cone 1 0"));
+    cases.reject("two-runs", &halves("bend 1 1"), obligation_at("bend", 2));
+
     // An end takes its own factor with one sign only.
     let segment = |token: usize, leaf: &str| Certificate::new(segment_curve()).critical().lower("inf", &SEGMENT).token(token, leaf);
     cases.accept("end-against-its-piece", &segment(2, "bend 1 0"));

@@ -78,6 +78,16 @@ pub fn cases() -> Vec<Case> {
     };
     cases.malformed("coordinate-of-65537-bits", with_coordinate(greatest.to_string()).json(), malformed);
     cases.malformed("denominator-of-65537-bits", with_coordinate(format!("1/{greatest}")).json(), malformed);
+    // Two denominators of which each is small enough, but not their least common multiple.
+    let power = |base: i64, exponent: u32| format!("1/{}", knotproof::number::Integer::from(base).pow(exponent));
+    let with_denominators = |two: u32, three: u32| {
+        let mut curve = good.clone();
+        curve["bspline"]["points"][1][0] = json!(power(2, two));
+        curve["bspline"]["points"][2][1] = json!(power(3, three));
+        Certificate::new(curve)
+    };
+    cases.accept("common-denominator-of-60000-bits", &with_denominators(30_000, 18_900));
+    cases.malformed("common-denominator-of-80000-bits", with_denominators(40_000, 25_200).json(), |_| true);
     for (name, text) in NOT_CANONICAL {
         cases.malformed(&format!("coordinate-{name}"), with_coordinate(text.to_string()).json(), malformed);
     }

@@ -52,6 +52,19 @@ pub fn cases() -> Vec<Case> {
         }
     }
 
+    // Runs take one factor only: the pairs of their tangents are too many.
+    let long = polygon(json!([[0, 0], [1, 0], [2, 0], [3, 0], [4, 1], [5, 1], [6, 1], [7, 1], [8, 1]]));
+    let statement = Certificate::new(long).with("/statement/lower_squared", json!("inf"));
+    let (long, leaf) = grow_with_leaf(&statement, [Node::Run(0, 2), Node::Run(6, 8)]);
+    for (factors, holds) in [("-1 0", true), ("0 -1", true), ("-1 -1", false), ("-1 -2", false)] {
+        let (name, certificate) = (format!("runs-{}", factors.replace(' ', "-")), long.clone().token(leaf, &format!("not_normal {factors}")));
+        if holds {
+            cases.accept(&name, &certificate);
+        } else {
+            cases.reject(&name, &certificate, obligation_at("not_normal", leaf));
+        }
+    }
+
     // Criticality at an open end is an inequality: the chord of both ends, from (0,0) to (end, 3).
     let [(inward, i), (outward, o)] = [1, -1].map(ends);
     let at = |(certificate, leaf): (&Certificate, usize), factors: &str| certificate.clone().token(leaf, &format!("not_normal {factors}"));

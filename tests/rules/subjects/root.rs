@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::{channel, channel_curve};
-use crate::common::case::{Case, Cases, expecting};
+use crate::common::case::{Case, Cases, expecting, obligation};
 use crate::common::document::{Certificate, bezier, polygon};
 
 fn rule(s: &str, s_side: &str, t: &str, t_side: &str) -> Value {
@@ -26,6 +26,8 @@ pub fn cases() -> Vec<Case> {
     cases.reject("slanted-chord", &at("1/3", "after", "5/2", "after"), not_orthogonal.clone());
     cases.reject("no-piece-before-the-start", &at("0", "before", "3", "before"), expecting("root", "a piece on the side named"));
     cases.reject("no-piece-after-the-end", &at("0", "after", "3", "after"), expecting("root", "a piece on the side named"));
+    cases.reject("before-inside-a-piece", &at("1/2", "before", "5/2", "after"), obligation("root"));
+    cases.reject("before-inside-another-piece", &at("1/2", "after", "5/2", "before"), obligation("root"));
     let order = expecting("root", "s < t");
     cases.reject("reversed", &at("5/2", "after", "1/2", "after"), order.clone());
     cases.reject("one-parameter", &at("1/2", "after", "1/2", "after"), order.clone());
