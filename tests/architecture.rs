@@ -11,10 +11,32 @@ const MAY_USE: [(&str, &[&str]); 11] = [
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
     ("float", &["number", "curve"]),
-    ("prove", &["number", "curve", "claim", "certificate", "check", "float"]),
-    ("validate", &["number", "curve", "claim", "certificate", "check", "float"]),
-    ("show", &["number", "curve", "claim", "certificate", "check", "float"]),
-    ("cli", &["number", "curve", "claim", "certificate", "check", "float", "prove", "validate", "show"]),
+    (
+        "prove",
+        &["number", "curve", "claim", "certificate", "check", "float"],
+    ),
+    (
+        "validate",
+        &["number", "curve", "claim", "certificate", "check", "float"],
+    ),
+    (
+        "show",
+        &["number", "curve", "claim", "certificate", "check", "float"],
+    ),
+    (
+        "cli",
+        &[
+            "number",
+            "curve",
+            "claim",
+            "certificate",
+            "check",
+            "float",
+            "prove",
+            "validate",
+            "show",
+        ],
+    ),
     ("main", &["cli"]),
 ];
 
@@ -48,9 +70,9 @@ fn code(path: &Path) -> String {
         rest = &rest[at..];
         let length = if rest.starts_with("//") {
             rest.find('\n').unwrap_or(rest.len())
-        } else if rest.starts_with('"') {
+        } else if let Some(inside) = rest.strip_prefix('"') {
             let mut escaped = false;
-            let end = rest[1..].find(|c| {
+            let end = inside.find(|c| {
                 let ends = c == '"' && !escaped;
                 escaped = c == '\\' && !escaped;
                 ends
@@ -77,7 +99,9 @@ fn module(path: &Path) -> String {
 }
 
 fn identifier(text: &str) -> &str {
-    let end = text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len());
+    let end = text
+        .find(|c: char| !c.is_alphanumeric() && c != '_')
+        .unwrap_or(text.len());
     &text[..end]
 }
 
@@ -85,9 +109,17 @@ fn identifier(text: &str) -> &str {
 fn uses(path: &Path) -> BTreeSet<String> {
     let code = code(path);
     let mut found = BTreeSet::new();
-    let depth = path.strip_prefix(src()).expect("a source file").components().count();
+    let depth = path
+        .strip_prefix(src())
+        .expect("a source file")
+        .components()
+        .count();
     // `super` so often that it leads out of the module.
-    let up = "super::".repeat(if path.ends_with("mod.rs") { depth - 1 } else { depth });
+    let up = "super::".repeat(if path.ends_with("mod.rs") {
+        depth - 1
+    } else {
+        depth
+    });
     for prefix in ["crate::", "knotproof::", &up] {
         if prefix.is_empty() {
             continue;
@@ -128,7 +160,9 @@ fn graph() -> BTreeMap<String, BTreeSet<String>> {
     let mut graph: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for path in sources(&src()) {
         let own = module(&path);
-        let used = uses(&path).into_iter().filter(|name| *name != own && listed.contains(&name.as_str()));
+        let used = uses(&path)
+            .into_iter()
+            .filter(|name| *name != own && listed.contains(&name.as_str()));
         graph.entry(own.clone()).or_default().extend(used);
     }
     graph
@@ -141,14 +175,29 @@ fn modules_use_only_what_they_may() {
         if name == "lib" {
             continue;
         }
-        let allowed = MAY_USE.iter().find(|(listed, _)| listed == name).unwrap_or_else(|| panic!("src/{name} is not in the list of modules"));
+        let allowed = MAY_USE
+            .iter()
+            .find(|(listed, _)| listed == name)
+            .unwrap_or_else(|| panic!("src/{name} is not in the list of modules"));
         for other in used {
-            assert!(allowed.1.contains(&other.as_str()), "src/{name} uses {other}");
+            assert!(
+                allowed.1.contains(&other.as_str()),
+                "src/{name} uses {other}"
+            );
         }
     }
     // The scan sees what is certainly there.
-    for (name, other) in [("check", "certificate"), ("certificate", "claim"), ("claim", "number"), ("prove", "check"), ("curve", "number")] {
-        assert!(graph[name].contains(other), "src/{name} no longer uses {other}, or the scan is blind");
+    for (name, other) in [
+        ("check", "certificate"),
+        ("certificate", "claim"),
+        ("claim", "number"),
+        ("prove", "check"),
+        ("curve", "number"),
+    ] {
+        assert!(
+            graph[name].contains(other),
+            "src/{name} no longer uses {other}, or the scan is blind"
+        );
     }
 }
 
@@ -157,7 +206,10 @@ fn the_permitted_uses_have_no_cycle() {
     // Each module may use only modules listed before it.
     for (i, (name, used)) in MAY_USE.iter().enumerate() {
         for other in *used {
-            assert!(MAY_USE[..i].iter().any(|(earlier, _)| earlier == other), "{name} and {other}");
+            assert!(
+                MAY_USE[..i].iter().any(|(earlier, _)| earlier == other),
+                "{name} and {other}"
+            );
         }
     }
 }
@@ -168,7 +220,10 @@ fn the_checker_uses_neither_threads_nor_floating_point_nor_search() {
         let code = code(&path);
         for word in ["f64", "f32", "rayon", "indicatif", "cfg(feature"] {
             let own = code.match_indices(word).any(|(at, _)| {
-                let (before, after) = (code[..at].chars().next_back(), code[at + word.len()..].chars().next());
+                let (before, after) = (
+                    code[..at].chars().next_back(),
+                    code[at + word.len()..].chars().next(),
+                );
                 let joins = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
                 !joins(before) && !joins(after)
             });
@@ -183,7 +238,9 @@ fn nothing_is_unsafe() {
     assert!(manifest.contains("unsafe_code = \"forbid\""));
     for path in sources(&src()) {
         let code = code(&path);
-        let unsafe_word = code.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == "unsafe");
+        let unsafe_word = code
+            .split(|c: char| !c.is_alphanumeric() && c != '_')
+            .any(|word| word == "unsafe");
         assert!(!unsafe_word, "{}", path.display());
     }
 }
@@ -193,8 +250,14 @@ fn files_are_short() {
     for path in sources(&src()) {
         let text = std::fs::read_to_string(&path).expect("a source file");
         let lines: Vec<&str> = text.lines().collect();
-        let tests = lines.windows(2).position(|pair| pair[0] == "#[cfg(test)]" && pair[1].ends_with('{'));
+        let tests = lines
+            .windows(2)
+            .position(|pair| pair[0] == "#[cfg(test)]" && pair[1].ends_with('{'));
         let lines = tests.unwrap_or(lines.len());
-        assert!(lines <= MOST_LINES, "{}: {lines} lines, at most {MOST_LINES} expected", path.display());
+        assert!(
+            lines <= MOST_LINES,
+            "{}: {lines} lines, at most {MOST_LINES} expected",
+            path.display()
+        );
     }
 }

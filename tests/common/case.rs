@@ -39,7 +39,11 @@ impl Case {
     /// Its file in the corpus, relative to `certs`.
     pub fn path(&self) -> String {
         let verdict = if self.accepted() { "accept" } else { "reject" };
-        let form = if self.bytes.starts_with(b"KNOTCRT") { "cert" } else { "json" };
+        let form = if self.bytes.starts_with(b"KNOTCRT") {
+            "cert"
+        } else {
+            "json"
+        };
         format!("{verdict}/{}/{}.{form}", self.subject, self.name)
     }
 }
@@ -59,7 +63,12 @@ impl Cases {
 
     fn push(&mut self, name: &str, bytes: Vec<u8>, expected: Expected) {
         let (subject, name) = (self.subject, name.to_string());
-        self.list.push(Case { subject, name, bytes, expected });
+        self.list.push(Case {
+            subject,
+            name,
+            bytes,
+            expected,
+        });
     }
 
     /// A certificate that proves what it says.
@@ -73,17 +82,32 @@ impl Cases {
     }
 
     /// A certificate that does not.
-    pub fn reject(&mut self, name: &str, certificate: &Certificate, why: impl Fn(&Rejection) -> bool + 'static) {
+    pub fn reject(
+        &mut self,
+        name: &str,
+        certificate: &Certificate,
+        why: impl Fn(&Rejection) -> bool + 'static,
+    ) {
         self.push(name, certificate.json(), Expected::Rejected(Box::new(why)));
     }
 
     /// The same, as a file.
-    pub fn reject_bytes(&mut self, name: &str, bytes: Vec<u8>, why: impl Fn(&Rejection) -> bool + 'static) {
+    pub fn reject_bytes(
+        &mut self,
+        name: &str,
+        bytes: Vec<u8>,
+        why: impl Fn(&Rejection) -> bool + 'static,
+    ) {
         self.push(name, bytes, Expected::Rejected(Box::new(why)));
     }
 
     /// A file that is no certificate.
-    pub fn malformed(&mut self, name: &str, bytes: Vec<u8>, why: impl Fn(&FormatError) -> bool + 'static) {
+    pub fn malformed(
+        &mut self,
+        name: &str,
+        bytes: Vec<u8>,
+        why: impl Fn(&FormatError) -> bool + 'static,
+    ) {
         self.push(name, bytes, Expected::Malformed(Box::new(why)));
     }
 
@@ -143,7 +167,12 @@ pub fn verify(cases: &[Case]) {
             wrong.push(format!("{}: check.py says {:?}", case.path(), answer));
         }
     }
-    assert!(wrong.is_empty(), "{} unexpected verdicts:\n{}", wrong.len(), wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} unexpected verdicts:\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
 }
 
 /// A verdict in words.

@@ -9,7 +9,10 @@ fn sub(a: &[Rational], b: &[Rational]) -> Vector {
 }
 
 fn dot(a: &[Rational], b: &[Rational]) -> Rational {
-    a.iter().zip(b).map(|(x, y)| x * y).fold(number(0), |sum, x| sum + x)
+    a.iter()
+        .zip(b)
+        .map(|(x, y)| x * y)
+        .fold(number(0), |sum, x| sum + x)
 }
 
 fn along(p: &[Rational], s: &Rational, d: &[Rational]) -> Vector {
@@ -34,9 +37,16 @@ pub struct Polygon {
 impl Polygon {
     /// From its vertices.
     pub fn new(vertices: &[Vector]) -> Self {
-        let sides = vertices.windows(2).map(|pair| sub(&pair[1], &pair[0])).collect();
+        let sides = vertices
+            .windows(2)
+            .map(|pair| sub(&pair[1], &pair[0]))
+            .collect();
         let closed = vertices.first() == vertices.last();
-        Polygon { starts: vertices[..vertices.len() - 1].to_vec(), sides, closed }
+        Polygon {
+            starts: vertices[..vertices.len() - 1].to_vec(),
+            sides,
+            closed,
+        }
     }
 
     /// The square of σ; `None` when there is no double normal.
@@ -50,8 +60,13 @@ impl Polygon {
         if critical {
             let vertices = self.vertices();
             for (k, vertex) in vertices.iter().enumerate() {
-                lengths.extend(vertices[k + 1..].iter().filter_map(|other| vertex.with_vertex(other)));
-                lengths.extend((0..self.sides.len()).filter_map(|i| vertex.with_side(&self.starts[i], &self.sides[i], i, self.sides.len())));
+                lengths.extend(
+                    vertices[k + 1..]
+                        .iter()
+                        .filter_map(|other| vertex.with_vertex(other)),
+                );
+                let feet = |i: usize| vertex.with_side(&self.starts[i], &self.sides[i], i);
+                lengths.extend((0..self.sides.len()).filter_map(feet));
             }
         }
         lengths.into_iter().min()
@@ -64,7 +79,12 @@ impl Polygon {
 
     /// The length² of a chord orthogonal to both sides (all such chords between two sides are equally long).
     fn between_sides(&self, i: usize, j: usize) -> Option<Rational> {
-        let (p, d, q, e) = (&self.starts[i], &self.sides[i], &self.starts[j], &self.sides[j]);
+        let (p, d, q, e) = (
+            &self.starts[i],
+            &self.sides[i],
+            &self.starts[j],
+            &self.sides[j],
+        );
         let x = sub(p, q);
         let (dd, de, ee) = (dot(d, d), dot(d, e), dot(e, e));
         let (xd, xe) = (dot(&x, d), dot(&x, e));
@@ -77,14 +97,19 @@ impl Polygon {
                 return None;
             }
             let corner = |s: &Rational, end: i64| *s == number(end);
-            let same = self.joined(i, j) && corner(&s, 1) && corner(&t, 0) || self.joined(j, i) && corner(&t, 1) && corner(&s, 0);
+            let same = self.joined(i, j) && corner(&s, 1) && corner(&t, 0)
+                || self.joined(j, i) && corner(&t, 1) && corner(&s, 0);
             let chord = sub(&along(p, &s, d), &along(q, &t, e));
             return (!same).then(|| dot(&chord, &chord));
         }
         // Parallel sides: do their projections to the common direction overlap?
         let onto = |point: &[Rational]| dot(&sub(point, p), d) / &dd;
         let (start, end) = (onto(q), onto(&along(q, &number(1), e)));
-        let (low, high) = if start <= end { (start, end) } else { (end, start) };
+        let (low, high) = if start <= end {
+            (start, end)
+        } else {
+            (end, start)
+        };
         let (from, to) = (low.max(number(0)), high.min(number(1)));
         if from > to {
             return None;
@@ -98,7 +123,11 @@ impl Polygon {
             let end = along(&self.starts[a], &number(1), &self.sides[a]);
             self.joined(a, b) && onto(&end) == from
         };
-        if touching && (meet(i, j) || meet(j, i)) { None } else { Some(squared) }
+        if touching && (meet(i, j) || meet(j, i)) {
+            None
+        } else {
+            Some(squared)
+        }
     }
 
     fn vertices(&self) -> Vec<Vertex<'_>> {
@@ -106,12 +135,24 @@ impl Polygon {
         let last = along(&self.starts[count - 1], &number(1), &self.sides[count - 1]);
         let mut list: Vec<Vertex> = (0..count)
             .map(|k| {
-                let before = if k > 0 { Some(k - 1) } else { self.closed.then_some(count - 1) };
-                Vertex { point: self.starts[k].clone(), before: before.map(|i| (i, &self.sides[i])), after: Some((k, &self.sides[k])) }
+                let before = if k > 0 {
+                    Some(k - 1)
+                } else {
+                    self.closed.then_some(count - 1)
+                };
+                Vertex {
+                    point: self.starts[k].clone(),
+                    before: before.map(|i| (i, &self.sides[i])),
+                    after: Some((k, &self.sides[k])),
+                }
             })
             .collect();
         if !self.closed {
-            list.push(Vertex { point: last, before: Some((count - 1, &self.sides[count - 1])), after: None });
+            list.push(Vertex {
+                point: last,
+                before: Some((count - 1, &self.sides[count - 1])),
+                after: None,
+            });
         }
         list
     }
@@ -143,7 +184,12 @@ impl Vertex<'_> {
     }
 
     /// The chord to the foot on a side the vertex is not on.
-    fn with_side(&self, start: &[Rational], side: &[Rational], number_of_side: usize, _count: usize) -> Option<Rational> {
+    fn with_side(
+        &self,
+        start: &[Rational],
+        side: &[Rational],
+        number_of_side: usize,
+    ) -> Option<Rational> {
         let own = |part: Option<(usize, &Vector)>| part.is_some_and(|(i, _)| i == number_of_side);
         if own(self.before) || own(self.after) {
             return None;
@@ -160,14 +206,20 @@ mod tests {
     use super::*;
 
     fn squared(vertices: &[&[i64]], critical: bool) -> Option<Rational> {
-        let vertices: Vec<Vector> = vertices.iter().map(|point| point.iter().map(|x| number(*x)).collect()).collect();
+        let vertices: Vec<Vector> = vertices
+            .iter()
+            .map(|point| point.iter().map(|x| number(*x)).collect())
+            .collect();
         Polygon::new(&vertices).squared(critical)
     }
 
     #[test]
     fn known_polygons() {
         let square: [&[i64]; 5] = [&[0, 0], &[1, 0], &[1, 1], &[0, 1], &[0, 0]];
-        assert_eq!([false, true].map(|critical| squared(&square, critical)), [1, 1].map(|n| Some(number(n))));
+        assert_eq!(
+            [false, true].map(|critical| squared(&square, critical)),
+            [1, 1].map(|n| Some(number(n)))
+        );
         let triangle: [&[i64]; 4] = [&[0, 0], &[4, 0], &[0, 3], &[0, 0]];
         assert_eq!(squared(&triangle, false), None);
         // The altitude on the hypotenuse, 12/5.
@@ -175,7 +227,10 @@ mod tests {
         let bow: [&[i64]; 4] = [&[-1, -1], &[1, 1], &[1, -1], &[-1, 1]];
         assert_eq!(squared(&bow, false), Some(number(0)));
         let line: [&[i64]; 3] = [&[0, 0, 0], &[1, 1, 2], &[3, 3, 6]];
-        assert_eq!([false, true].map(|critical| squared(&line, critical)), [None, None]);
+        assert_eq!(
+            [false, true].map(|critical| squared(&line, critical)),
+            [None, None]
+        );
         let folded: [&[i64]; 3] = [&[0, 0], &[3, 0], &[1, 0]];
         assert_eq!(squared(&folded, false), Some(number(0)));
         // Skew sides at distance 2.

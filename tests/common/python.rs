@@ -46,7 +46,8 @@ fn run(paths: &[PathBuf]) -> Vec<Answer> {
     let answers: Vec<Answer> = text
         .lines()
         .map(|line| {
-            let report: Value = serde_json::from_str(line).unwrap_or_else(|_| panic!("check.py printed {line:?}"));
+            let report: Value =
+                serde_json::from_str(line).unwrap_or_else(|_| panic!("check.py printed {line:?}"));
             Answer {
                 accepted: report["verdict"] == "accepted",
                 reason: format!("{} {}", report["verdict"], report["reason"]),
@@ -54,6 +55,10 @@ fn run(paths: &[PathBuf]) -> Vec<Answer> {
         })
         .collect();
     let complaint = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(answers.len(), paths.len(), "check.py did not answer for every file: {complaint}");
+    assert_eq!(
+        answers.len(),
+        paths.len(),
+        "check.py did not answer for every file: {complaint}"
+    );
     answers
 }

@@ -23,7 +23,11 @@ pub enum Node {
     /// A point element.
     Point(Element),
     /// A part of a piece: its index among the 2^depth parts.
-    Part { piece: usize, index: u128, depth: u32 },
+    Part {
+        piece: usize,
+        index: u128,
+        depth: u32,
+    },
 }
 
 /// The elements of a curve.
@@ -51,7 +55,11 @@ pub fn elements(curve: &Curve, critical: bool) -> Vec<Element> {
 fn of_elements(elements: &[Element], a: usize, b: usize) -> Node {
     match elements[a] {
         _ if b - a > 1 => Node::Run(a, b),
-        Element::Piece(piece) => Node::Part { piece, index: 0, depth: 0 },
+        Element::Piece(piece) => Node::Part {
+            piece,
+            index: 0,
+            depth: 0,
+        },
         point => Node::Point(point),
     }
 }
@@ -63,9 +71,15 @@ fn halves(elements: &[Element], node: Node) -> [Node; 2] {
             [of_elements(elements, a, m), of_elements(elements, m, b)]
         }
         Node::Point(_) => panic!("a point element is not split"),
-        Node::Part { piece, index, depth } => {
-            [2 * index, 2 * index + 1].map(|index| Node::Part { piece, index, depth: depth + 1 })
-        }
+        Node::Part {
+            piece,
+            index,
+            depth,
+        } => [2 * index, 2 * index + 1].map(|index| Node::Part {
+            piece,
+            index,
+            depth: depth + 1,
+        }),
     }
 }
 
@@ -78,12 +92,16 @@ struct Stack<'e> {
 impl<'e> Stack<'e> {
     fn new(elements: &'e [Element]) -> Self {
         let whole = of_elements(elements, 0, elements.len());
-        Stack { elements, pairs: vec![[whole, whole]] }
+        Stack {
+            elements,
+            pairs: vec![[whole, whole]],
+        }
     }
 
     /// The next pair that wants a token.
     fn next(&mut self) -> Option<[Node; 2]> {
-        let is_skipped = |pair: &[Node; 2]| matches!(pair, [Node::Point(p), Node::Point(q)] if p == q);
+        let is_skipped =
+            |pair: &[Node; 2]| matches!(pair, [Node::Point(p), Node::Point(q)] if p == q);
         while self.pairs.last().is_some_and(is_skipped) {
             self.pairs.pop();
         }
@@ -94,10 +112,15 @@ impl<'e> Stack<'e> {
         match token {
             "split" => {
                 let [left, right] = halves(self.elements, a);
-                self.pairs.extend([[right, right], [left, right], [left, left]]);
+                self.pairs
+                    .extend([[right, right], [left, right], [left, left]]);
             }
-            "first" => self.pairs.extend(halves(self.elements, a).map(|a| [a, b]).into_iter().rev()),
-            "second" => self.pairs.extend(halves(self.elements, b).map(|b| [a, b]).into_iter().rev()),
+            "first" => self
+                .pairs
+                .extend(halves(self.elements, a).map(|a| [a, b]).into_iter().rev()),
+            "second" => self
+                .pairs
+                .extend(halves(self.elements, b).map(|b| [a, b]).into_iter().rev()),
             _ => {}
         }
     }
@@ -137,16 +160,32 @@ pub fn holds(elements: &[Element], node: &Node, inner: &Node) -> bool {
     match (node, inner) {
         (Node::Run(a, b), Node::Run(c, d)) => a <= c && d <= b,
         (Node::Run(a, b), _) => of_run(*a, *b),
-        (Node::Part { piece, index, depth }, Node::Part { piece: p, index: i, depth: d }) => {
-            piece == p && d >= depth && i >> (d - depth) == *index
-        }
+        (
+            Node::Part {
+                piece,
+                index,
+                depth,
+            },
+            Node::Part {
+                piece: p,
+                index: i,
+                depth: d,
+            },
+        ) => piece == p && d >= depth && i >> (d - depth) == *index,
         _ => node == inner,
     }
 }
 
 /// The number of the leaf token for a pair of nodes that the function recognises, the last one if there are several.
-pub fn leaf_for<S: AsRef<str>>(elements: &[Element], tokens: &[S], wish: impl Fn(&[Node; 2]) -> bool) -> Option<usize> {
+pub fn leaf_for<S: AsRef<str>>(
+    elements: &[Element],
+    tokens: &[S],
+    wish: impl Fn(&[Node; 2]) -> bool,
+) -> Option<usize> {
     let leaf = |i: &usize| !matches!(tokens[*i].as_ref(), "split" | "first" | "second");
     let pairs = pairs(elements, tokens);
-    (0..tokens.len()).rev().filter(leaf).find(|i| wish(&pairs[*i]))
+    (0..tokens.len())
+        .rev()
+        .filter(leaf)
+        .find(|i| wish(&pairs[*i]))
 }

@@ -26,13 +26,31 @@ macro_rules! verified {
 }
 
 verified!(
-    far, not_normal, cone, bend, miranda, root, touch, crossing, critical_root, critical_interval, tree, statement, curve, text, binary,
+    far,
+    not_normal,
+    cone,
+    bend,
+    miranda,
+    root,
+    touch,
+    crossing,
+    critical_root,
+    critical_interval,
+    tree,
+    statement,
+    curve,
+    text,
+    binary,
     numbers,
 );
 
 #[test]
 fn names_are_unique() {
-    let mut paths: Vec<String> = subjects::all().into_iter().flat_map(|(_, cases)| cases()).map(|case| case.path()).collect();
+    let mut paths: Vec<String> = subjects::all()
+        .into_iter()
+        .flat_map(|(_, cases)| cases())
+        .map(|case| case.path())
+        .collect();
     paths.sort();
     let twice: Vec<&[String]> = paths.windows(2).filter(|pair| pair[0] == pair[1]).collect();
     assert!(twice.is_empty(), "{twice:?}");

@@ -39,11 +39,15 @@ impl FloatCurve {
     /// In floating point.
     pub fn new(curve: &Curve) -> Self {
         let chain = curve.chain();
-        let padded = |point: &[Rational]| -> Vector { std::array::from_fn(|i| point.get(i).map_or(0.0, RationalExt::to_f64)) };
+        let padded = |point: &[Rational]| -> Vector {
+            std::array::from_fn(|i| point.get(i).map_or(0.0, RationalExt::to_f64))
+        };
         let pieces = chain.pieces().iter().map(|piece| {
             (0..=piece.degree())
                 .map(|k| {
-                    let w = piece.weights().map_or(1.0, |weights| weights.get(k).to_f64());
+                    let w = piece
+                        .weights()
+                        .map_or(1.0, |weights| weights.get(k).to_f64());
                     let [x, y, z] = padded(&piece.point(k));
                     [x * w, y * w, z * w, w]
                 })
@@ -58,7 +62,11 @@ impl FloatCurve {
             if !corner && !end {
                 continue;
             }
-            let before = if joint > 0 { Some(joint - 1) } else { chain.closed().then_some(count - 1) };
+            let before = if joint > 0 {
+                Some(joint - 1)
+            } else {
+                chain.closed().then_some(count - 1)
+            };
             let after = if joint < count { Some(joint) } else { None };
             let (piece, at_end) = after.map_or((count - 1, true), |piece| (piece, false));
             let here = &chain.pieces()[piece];
@@ -66,8 +74,12 @@ impl FloatCurve {
                 piece,
                 at_end,
                 point: padded(&here.point(if at_end { here.degree() } else { 0 })),
-                incoming: before.and_then(|i| chain.pieces()[i].end_direction()).map(|v| padded(&v)),
-                outgoing: after.and_then(|i| chain.pieces()[i].start_direction()).map(|v| padded(&v)),
+                incoming: before
+                    .and_then(|i| chain.pieces()[i].end_direction())
+                    .map(|v| padded(&v)),
+                outgoing: after
+                    .and_then(|i| chain.pieces()[i].start_direction())
+                    .map(|v| padded(&v)),
             });
         }
         FloatCurve { pieces, vertices }
@@ -79,16 +91,25 @@ impl FloatCurve {
         let n = points.len() - 1;
         let casteljau = |mut row: Vec<[f64; 4]>| {
             while row.len() > 1 {
-                row = row.windows(2).map(|pair| std::array::from_fn(|i| (1.0 - u) * pair[0][i] + u * pair[1][i])).collect();
+                row = row
+                    .windows(2)
+                    .map(|pair| std::array::from_fn(|i| (1.0 - u) * pair[0][i] + u * pair[1][i]))
+                    .collect();
             }
             row.first().copied().unwrap_or([0.0; 4])
         };
         let difference = |row: &[[f64; 4]], factor: f64| -> Vec<[f64; 4]> {
-            row.windows(2).map(|pair| std::array::from_fn(|i| factor * (pair[1][i] - pair[0][i]))).collect()
+            row.windows(2)
+                .map(|pair| std::array::from_fn(|i| factor * (pair[1][i] - pair[0][i])))
+                .collect()
         };
         let first = difference(points, n as f64);
         let second = difference(&first, n as f64 - 1.0);
-        let [a, b, c] = [casteljau(points.clone()), casteljau(first), casteljau(second)];
+        let [a, b, c] = [
+            casteljau(points.clone()),
+            casteljau(first),
+            casteljau(second),
+        ];
         let (w, w1, w2) = (a[3], b[3], c[3]);
         let p: Vector = std::array::from_fn(|i| a[i] / w);
         let p1: Vector = std::array::from_fn(|i| (b[i] - w1 * p[i]) / w);
@@ -111,7 +132,10 @@ impl FloatCurve {
             for (a, vertex) in self.vertices.iter().enumerate() {
                 for other in &self.vertices[a + 1..] {
                     let chord = sub(&other.point, &vertex.point);
-                    if norm(&chord) > 1e-9 && vertex.surely_critical(&other.point) && other.surely_critical(&vertex.point) {
+                    if norm(&chord) > 1e-9
+                        && vertex.surely_critical(&other.point)
+                        && other.surely_critical(&vertex.point)
+                    {
                         found.push((norm(&chord), [vertex.place(), other.place()]));
                     }
                 }
@@ -127,7 +151,10 @@ impl FloatCurve {
             let ([p, p1, p2], [q, q1, q2]) = (self.evaluate(s.0, s.1), self.evaluate(t.0, t.1));
             let x = sub(&p, &q);
             let (f, g) = (dot(&x, &p1), dot(&x, &q1));
-            let [[a, b], [c, d]] = [[dot(&p1, &p1) + dot(&x, &p2), -dot(&p1, &q1)], [dot(&p1, &q1), dot(&x, &q2) - dot(&q1, &q1)]];
+            let [[a, b], [c, d]] = [
+                [dot(&p1, &p1) + dot(&x, &p2), -dot(&p1, &q1)],
+                [dot(&p1, &q1), dot(&x, &q2) - dot(&q1, &q1)],
+            ];
             let determinant = a * d - b * c;
             if determinant.abs() < 1e-5 * (a * a + b * b + c * c + d * d) {
                 return None;
@@ -141,7 +168,8 @@ impl FloatCurve {
                 let (length, speed) = (norm(&x), norm(&p1).min(norm(&q1)));
                 let apart = s.0 != t.0 || (s.1 - t.1).abs() > 1e-3;
                 let converged = f.abs() + g.abs() < 1e-10 * length * speed;
-                return (apart && length > 1e-3 && speed > 1e-3 && converged).then_some((length, [s, t]));
+                return (apart && length > 1e-3 && speed > 1e-3 && converged)
+                    .then_some((length, [s, t]));
             }
         }
         None
@@ -162,7 +190,11 @@ impl FloatCurve {
             let rising = product(low) < 0.0;
             for _ in 0..80 {
                 let middle = 0.5 * (low + high);
-                if (product(middle) < 0.0) == rising { low = middle } else { high = middle }
+                if (product(middle) < 0.0) == rising {
+                    low = middle
+                } else {
+                    high = middle
+                }
             }
             let [q, q1, _] = self.evaluate(piece, low);
             let length = norm(&sub(&q, &vertex.point));

@@ -51,8 +51,17 @@ pub fn channel_curve() -> Value {
 }
 
 /// A tree for [`channel_curve`]. Token 4 is for the two long sides, token 3 and 7 for its corners, the others for one side each.
-pub const CHANNEL: [&str; 9] =
-    ["split", "cone 1 0", "second", "bend 1 1", "far 0 -1", "split", "cone 0 1", "bend 1 1", "cone -1 0"];
+pub const CHANNEL: [&str; 9] = [
+    "split",
+    "cone 1 0",
+    "second",
+    "bend 1 1",
+    "far 0 -1",
+    "split",
+    "cone 0 1",
+    "bend 1 1",
+    "cone -1 0",
+];
 
 /// The channel with the greatest lower bound.
 pub fn channel() -> Certificate {
@@ -70,8 +79,17 @@ pub fn step_curve() -> Value {
 }
 
 /// A tree for [`step_curve`]. Token 4 is for its two level sides.
-pub const STEP: [&str; 9] =
-    ["split", "cone 1 0", "second", "cone 2 1", "not_normal -1 0", "split", "cone 1 1", "cone 2 1", "cone 1 0"];
+pub const STEP: [&str; 9] = [
+    "split",
+    "cone 1 0",
+    "second",
+    "cone 2 1",
+    "not_normal -1 0",
+    "split",
+    "cone 1 1",
+    "cone 2 1",
+    "cone 1 0",
+];
 
 /// The step with the statement that it has no double normal.
 pub fn step() -> Certificate {
@@ -84,5 +102,12 @@ pub fn segment_curve() -> Value {
 }
 
 /// A tree for [`segment_curve`] in the convention `critical`; token 2 is for the start and the piece, 3 for both ends, 6 for the piece and its end.
-pub const SEGMENT: [&str; 7] =
-    ["split", "second", "bend 1 0", "not_normal -1 0", "split", "cone 3 4", "bend 0 1"];
+pub const SEGMENT: [&str; 7] = [
+    "split",
+    "second",
+    "bend 1 0",
+    "not_normal -1 0",
+    "split",
+    "cone 3 4",
+    "bend 0 1",
+];

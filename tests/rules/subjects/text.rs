@@ -3,10 +3,10 @@
 use knotproof::certificate::FormatError;
 use serde_json::{Value, json};
 
+use super::curve::NOT_CANONICAL;
 use super::{channel, channel_root};
 use crate::common::case::{Case, Cases};
 use crate::common::document::Certificate;
-use super::curve::NOT_CANONICAL;
 
 fn malformed(error: &FormatError) -> bool {
     matches!(error, FormatError::Malformed { .. })
@@ -17,26 +17,86 @@ pub fn cases() -> Vec<Case> {
     let mut cases = Cases::new("text");
     let both = || channel().upper("9", channel_root());
     cases.accept("plain", &both());
-    cases.accept("with-a-name", &both().with_field("", "name", json!("Kanal \u{1F9F5} \"quoted\" \\ \u{0}")).with_field("", "snapped_joints", json!(3)));
-    for (name, version) in [("version-2", "certificate/2"), ("version-of-a-curve", "curve/1"), ("no-version", ""), ("version-with-a-space", "certificate/1 ")] {
-        cases.malformed(name, both().with("/knotproof", json!(version)).json(), malformed);
+    cases.accept(
+        "with-a-name",
+        &both()
+            .with_field("", "name", json!("Kanal \u{1F9F5} \"quoted\" \\ \u{0}"))
+            .with_field("", "snapped_joints", json!(3)),
+    );
+    for (name, version) in [
+        ("version-2", "certificate/2"),
+        ("version-of-a-curve", "curve/1"),
+        ("no-version", ""),
+        ("version-with-a-space", "certificate/1 "),
+    ] {
+        cases.malformed(
+            name,
+            both().with("/knotproof", json!(version)).json(),
+            malformed,
+        );
     }
-    for (pointer, place) in [("", "document"), ("/statement", "statement"), ("/evidence", "evidence"), ("/evidence/upper", "upper"), ("/curve", "curve"), ("/curve/bezier", "bezier"), ("/curve/bezier/pieces/0", "piece")] {
-        cases.malformed(&format!("unknown-field-in-{place}"), both().with_field(pointer, "comment", json!("?")).json(), malformed);
+    for (pointer, place) in [
+        ("", "document"),
+        ("/statement", "statement"),
+        ("/evidence", "evidence"),
+        ("/evidence/upper", "upper"),
+        ("/curve", "curve"),
+        ("/curve/bezier", "bezier"),
+        ("/curve/bezier/pieces/0", "piece"),
+    ] {
+        cases.malformed(
+            &format!("unknown-field-in-{place}"),
+            both().with_field(pointer, "comment", json!("?")).json(),
+            malformed,
+        );
     }
     for (pointer, key) in [
-        ("", "knotproof"), ("", "tool"), ("", "curve"), ("", "curve_sha256"), ("", "statement"), ("", "evidence"),
-        ("/statement", "claim"), ("/statement", "convention"), ("/statement", "lower_squared"), ("/statement", "upper_squared"),
-        ("/evidence", "grid"), ("/evidence", "tree"), ("/evidence", "upper"), ("/evidence/upper", "rule"), ("/evidence/upper", "s"),
-        ("/evidence/upper", "s_side"), ("/evidence/upper", "t"), ("/evidence/upper", "t_side"),
+        ("", "knotproof"),
+        ("", "tool"),
+        ("", "curve"),
+        ("", "curve_sha256"),
+        ("", "statement"),
+        ("", "evidence"),
+        ("/statement", "claim"),
+        ("/statement", "convention"),
+        ("/statement", "lower_squared"),
+        ("/statement", "upper_squared"),
+        ("/evidence", "grid"),
+        ("/evidence", "tree"),
+        ("/evidence", "upper"),
+        ("/evidence/upper", "rule"),
+        ("/evidence/upper", "s"),
+        ("/evidence/upper", "s_side"),
+        ("/evidence/upper", "t"),
+        ("/evidence/upper", "t_side"),
     ] {
-        cases.malformed(&format!("missing-{}{}", pointer.replace('/', "-"), format_args!("-{key}")), both().without_field(pointer, key).json(), malformed);
+        cases.malformed(
+            &format!(
+                "missing-{}{}",
+                pointer.replace('/', "-"),
+                format_args!("-{key}")
+            ),
+            both().without_field(pointer, key).json(),
+            malformed,
+        );
     }
     for (name, pointer, value) in [
-        ("claim-of-another-kind", "/statement/claim", json!("curvature")),
-        ("unknown-convention", "/statement/convention", json!("Smooth")),
+        (
+            "claim-of-another-kind",
+            "/statement/claim",
+            json!("curvature"),
+        ),
+        (
+            "unknown-convention",
+            "/statement/convention",
+            json!("Smooth"),
+        ),
         ("lower-null", "/statement/lower_squared", Value::Null),
-        ("lower-in-words", "/statement/lower_squared", json!("Infinity")),
+        (
+            "lower-in-words",
+            "/statement/lower_squared",
+            json!("Infinity"),
+        ),
         ("lower-negative", "/statement/lower_squared", json!("-1")),
         ("lower-as-a-number", "/statement/lower_squared", json!(9)),
         ("upper-inf", "/statement/upper_squared", json!("inf")),
@@ -59,14 +119,41 @@ pub fn cases() -> Vec<Case> {
     ] {
         cases.malformed(name, both().with(pointer, value).json(), |_| true);
     }
-    let hash = both().0["curve_sha256"].as_str().expect("a hash").to_uppercase();
-    cases.malformed("hash-in-upper-case", both().with("/curve_sha256", json!(hash)).json(), |_| true);
-    for (name, key, value) in [("name-null", "name", Value::Null), ("name-a-number", "name", json!(1)), ("snapped-joints-null", "snapped_joints", Value::Null), ("snapped-joints-negative", "snapped_joints", json!(-1)), ("snapped-joints-fractional", "snapped_joints", json!(1.0)), ("snapped-joints-a-string", "snapped_joints", json!("1"))] {
+    let hash = both().0["curve_sha256"]
+        .as_str()
+        .expect("a hash")
+        .to_uppercase();
+    cases.malformed(
+        "hash-in-upper-case",
+        both().with("/curve_sha256", json!(hash)).json(),
+        |_| true,
+    );
+    for (name, key, value) in [
+        ("name-null", "name", Value::Null),
+        ("name-a-number", "name", json!(1)),
+        ("snapped-joints-null", "snapped_joints", Value::Null),
+        ("snapped-joints-negative", "snapped_joints", json!(-1)),
+        ("snapped-joints-fractional", "snapped_joints", json!(1.0)),
+        ("snapped-joints-a-string", "snapped_joints", json!("1")),
+    ] {
         cases.malformed(name, both().with_field("", key, value).json(), malformed);
     }
     for (name, text) in NOT_CANONICAL {
-        cases.malformed(&format!("lower-{name}"), both().with("/statement/lower_squared", json!(if text == "inf" { "-inf" } else { text })).json(), malformed);
-        cases.malformed(&format!("parameter-{name}"), both().with("/evidence/upper/s", json!(text)).json(), malformed);
+        cases.malformed(
+            &format!("lower-{name}"),
+            both()
+                .with(
+                    "/statement/lower_squared",
+                    json!(if text == "inf" { "-inf" } else { text }),
+                )
+                .json(),
+            malformed,
+        );
+        cases.malformed(
+            &format!("parameter-{name}"),
+            both().with("/evidence/upper/s", json!(text)).json(),
+            malformed,
+        );
     }
     lists_for_objects(&mut cases, &both());
     damage(&mut cases, &both());
@@ -76,12 +163,31 @@ pub fn cases() -> Vec<Case> {
 /// The values of an object in a list are not the object.
 fn lists_for_objects(cases: &mut Cases, plain: &Certificate) {
     for (name, pointer, order) in [
-        ("statement", "/statement", ["claim", "convention", "lower_squared", "upper_squared"].as_slice()),
+        (
+            "statement",
+            "/statement",
+            ["claim", "convention", "lower_squared", "upper_squared"].as_slice(),
+        ),
         ("evidence", "/evidence", &["grid", "tree", "upper"]),
-        ("upper", "/evidence/upper", &["rule", "s", "s_side", "t", "t_side"]),
+        (
+            "upper",
+            "/evidence/upper",
+            &["rule", "s", "s_side", "t", "t_side"],
+        ),
         ("bezier", "/curve/bezier", &["pieces"]),
         ("piece", "/curve/bezier/pieces/1", &["points"]),
-        ("document", "", &["knotproof", "tool", "curve", "curve_sha256", "statement", "evidence"]),
+        (
+            "document",
+            "",
+            &[
+                "knotproof",
+                "tool",
+                "curve",
+                "curve_sha256",
+                "statement",
+                "evidence",
+            ],
+        ),
     ] {
         let object = plain.0.pointer(pointer).expect(pointer);
         let mut list: Vec<Value> = order.iter().map(|key| object[*key].clone()).collect();
@@ -91,7 +197,11 @@ fn lists_for_objects(cases: &mut Cases, plain: &Certificate) {
         if name == "document" {
             list.splice(2..2, [Value::Null, Value::Null]);
         }
-        cases.malformed(&format!("list-for-{name}"), plain.clone().with(pointer, list.into()).json(), |_| true);
+        cases.malformed(
+            &format!("list-for-{name}"),
+            plain.clone().with(pointer, list.into()).json(),
+            |_| true,
+        );
     }
 }
 
@@ -99,8 +209,16 @@ fn lists_for_objects(cases: &mut Cases, plain: &Certificate) {
 fn damage(cases: &mut Cases, plain: &Certificate) {
     let text = plain.json();
     cases.malformed("empty-file", Vec::new(), |_| true);
-    for (name, length) in [("one-byte", 1), ("half", text.len() / 2), ("all-but-two-bytes", text.len() - 2)] {
-        cases.malformed(&format!("truncated-{name}"), text[..length].to_vec(), |_| true);
+    for (name, length) in [
+        ("one-byte", 1),
+        ("half", text.len() / 2),
+        ("all-but-two-bytes", text.len() - 2),
+    ] {
+        cases.malformed(
+            &format!("truncated-{name}"),
+            text[..length].to_vec(),
+            |_| true,
+        );
     }
     let with = |before: &[u8], after: &[u8]| [before, &text, after].concat();
     cases.accept_bytes("spaces-around", with(b" \n\t", b"\r\n "));
@@ -114,24 +232,86 @@ fn damage(cases: &mut Cases, plain: &Certificate) {
         assert!(text.contains(from), "{from}");
         text.replacen(from, to, 1).into_bytes()
     };
-    cases.malformed("repeated-field", replaced("\"tool\":", "\"tool\": \"other\", \"tool\":"), malformed);
-    cases.malformed("repeated-statement-field", replaced("\"claim\":", "\"claim\": \"msd\", \"claim\":"), malformed);
-    cases.malformed("repeated-rule", replaced("\"rule\":", "\"rule\": \"touch\", \"rule\":"), malformed);
-    cases.malformed("repeated-upper-field", replaced("\"s_side\":", "\"s_side\": \"after\", \"s_side\":"), malformed);
-    cases.malformed("repeated-grid", replaced("\"grid\":", "\"grid\": 7, \"grid\":"), malformed);
-    cases.malformed("trailing-comma", replaced("\"split\",", "\"split\",,"), malformed);
+    cases.malformed(
+        "repeated-field",
+        replaced("\"tool\":", "\"tool\": \"other\", \"tool\":"),
+        malformed,
+    );
+    cases.malformed(
+        "repeated-statement-field",
+        replaced("\"claim\":", "\"claim\": \"msd\", \"claim\":"),
+        malformed,
+    );
+    cases.malformed(
+        "repeated-rule",
+        replaced("\"rule\":", "\"rule\": \"touch\", \"rule\":"),
+        malformed,
+    );
+    cases.malformed(
+        "repeated-upper-field",
+        replaced("\"s_side\":", "\"s_side\": \"after\", \"s_side\":"),
+        malformed,
+    );
+    cases.malformed(
+        "repeated-grid",
+        replaced("\"grid\":", "\"grid\": 7, \"grid\":"),
+        malformed,
+    );
+    cases.malformed(
+        "trailing-comma",
+        replaced("\"split\",", "\"split\",,"),
+        malformed,
+    );
     cases.malformed("single-quotes", replaced("\"split\"", "'split'"), malformed);
-    cases.malformed("comment", replaced("\"tool\":", "/* by hand */ \"tool\":"), malformed);
-    cases.malformed("not-a-number", replaced("\"grid\": 0", "\"grid\": NaN"), malformed);
-    cases.malformed("grid-minus-zero", replaced("\"grid\": 0", "\"grid\": -0"), malformed);
-    cases.malformed("grid-with-an-exponent", replaced("\"grid\": 0", "\"grid\": 0e0"), malformed);
-    cases.malformed("grid-with-leading-zero", replaced("\"grid\": 0", "\"grid\": 00"), malformed);
-    cases.malformed("lone-surrogate", replaced("by hand", "by \\ud800 hand"), malformed);
-    cases.malformed("control-character", replaced("by hand", "by \u{1} hand"), malformed);
-    cases.accept_bytes("escaped-letters", replaced("certificate/1", "certificate\\/\\u0031"));
+    cases.malformed(
+        "comment",
+        replaced("\"tool\":", "/* by hand */ \"tool\":"),
+        malformed,
+    );
+    cases.malformed(
+        "not-a-number",
+        replaced("\"grid\": 0", "\"grid\": NaN"),
+        malformed,
+    );
+    cases.malformed(
+        "grid-minus-zero",
+        replaced("\"grid\": 0", "\"grid\": -0"),
+        malformed,
+    );
+    cases.malformed(
+        "grid-with-an-exponent",
+        replaced("\"grid\": 0", "\"grid\": 0e0"),
+        malformed,
+    );
+    cases.malformed(
+        "grid-with-leading-zero",
+        replaced("\"grid\": 0", "\"grid\": 00"),
+        malformed,
+    );
+    cases.malformed(
+        "lone-surrogate",
+        replaced("by hand", "by \\ud800 hand"),
+        malformed,
+    );
+    cases.malformed(
+        "control-character",
+        replaced("by hand", "by \u{1} hand"),
+        malformed,
+    );
+    cases.accept_bytes(
+        "escaped-letters",
+        replaced("certificate/1", "certificate\\/\\u0031"),
+    );
     let mut invalid = text.clone();
-    let place = text.windows(7).position(|window| window == b"by hand").expect("there");
+    let place = text
+        .windows(7)
+        .position(|window| window == b"by hand")
+        .expect("there");
     invalid[place] = 0xff;
     cases.malformed("not-utf-8", invalid, |_| true);
-    cases.malformed("nested-lists", [b"[".repeat(100_000), b"]".repeat(100_000)].concat(), |_| true);
+    cases.malformed(
+        "nested-lists",
+        [b"[".repeat(100_000), b"]".repeat(100_000)].concat(),
+        |_| true,
+    );
 }
