@@ -1,5 +1,6 @@
 //! `miranda`.
 
+use knotproof::number::Integer;
 use serde_json::{Value, json};
 
 use crate::common::case::{Case, Cases, expecting};
@@ -74,6 +75,13 @@ pub fn cases() -> Vec<Case> {
         "huge-factor",
         &lens_with(good.clone()).with("/evidence/upper/first/0", json!(huge)),
     );
+    let bits = |bits: u32| {
+        let factor = Integer::from(1) - Integer::from(2).pow(bits);
+        let certificate = lens_with(good.clone());
+        certificate.with("/evidence/upper/first/0", json!(factor.to_string()))
+    };
+    cases.accept("factor-of-65536-bits", &bits(65_536));
+    cases.malformed("factor-of-65537-bits", bits(65_537).json(), |_| true);
     let bound = expecting("miranda", "upper_squared ≥ |p−q|² for all hull points");
     cases.reject(
         "bound-below",

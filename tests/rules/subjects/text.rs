@@ -155,6 +155,21 @@ pub fn cases() -> Vec<Case> {
             malformed,
         );
     }
+    let joints = |count: &str| {
+        let text = String::from_utf8(both().json()).expect("UTF-8");
+        text.replacen(
+            "\"tool\":",
+            &format!("\"snapped_joints\": {count}, \"tool\":"),
+            1,
+        )
+        .into_bytes()
+    };
+    cases.accept_bytes("most-snapped-joints", joints("18446744073709551615"));
+    cases.malformed(
+        "too-many-snapped-joints",
+        joints("18446744073709551616"),
+        malformed,
+    );
     lists_for_objects(&mut cases, &both());
     damage(&mut cases, &both());
     cases.list()
