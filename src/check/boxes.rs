@@ -32,13 +32,13 @@ impl Boxes {
 
     /// Computes the boxes on the grid 2^-`grid`.
     pub fn new(chain: &Chain, elements: &Elements, grid: u32) -> Self {
-        let runs = elements.len().saturating_sub(1);
+        let runs = elements.count().saturating_sub(1);
         let mut narrow = Vec::with_capacity(runs);
-        if fill::<i64>(chain, elements, grid, 0, elements.len(), &mut narrow).is_some() {
+        if fill::<i64>(chain, elements, grid, 0, elements.count(), &mut narrow).is_some() {
             return Boxes::Narrow(narrow);
         }
         let mut large = Vec::with_capacity(runs);
-        fill::<Integer>(chain, elements, grid, 0, elements.len(), &mut large).expect("unbounded integers do not overflow");
+        fill::<Integer>(chain, elements, grid, 0, elements.count(), &mut large).expect("unbounded integers do not overflow");
         Boxes::Large(large)
     }
 
@@ -134,7 +134,8 @@ fn narrow_box(points: &[[i64; 3]], denominator: i64, grid: u32) -> Option<GridBo
         let (low, high) = (i128::from(low).doubled(grid)?, i128::from(high).doubled(grid)?);
         let denominator = i128::from(denominator);
         bounds[0][axis] = low.div_euclid(denominator);
-        bounds[1][axis] = -(-high).div_euclid(denominator);
+        // ⌈x⌉ = −⌊−x⌋; the least integer has no negative.
+        bounds[1][axis] = -high.checked_neg()?.div_euclid(denominator);
     }
     Some(bounds)
 }

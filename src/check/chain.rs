@@ -151,7 +151,7 @@ impl Chain {
     }
 
     /// Number of pieces M.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.pieces.len()
     }
 
@@ -316,7 +316,7 @@ impl Chain {
     }
 
     fn ends_coincide(&self) -> bool {
-        let ((p, v), (q, w)) = (self.end_point(0, false), self.end_point(self.len() - 1, true));
+        let ((p, v), (q, w)) = (self.end_point(0, false), self.end_point(self.count() - 1, true));
         (0..3).all(|i| &p[i] * &w == &q[i] * &v)
     }
 }
@@ -411,8 +411,11 @@ impl<W: Word> Storage<W> {
     }
 }
 
+/// The terms (i, j, factor) of one coefficient of D.
+type Terms = Vec<(usize, usize, Integer)>;
+
 /// For degree n: the factors (k−2i+1)·C(n,i)·C(n,k−i+1)·L/C(2n−2,k), listed by k and then i, and L = lcm of the C(2n−2,k).
-fn rational_field_factors(degree: usize) -> (Vec<Vec<(usize, usize, Integer)>>, Integer) {
+fn rational_field_factors(degree: usize) -> (Vec<Terms>, Integer) {
     let n = degree as u32;
     let top = 2 * n - 2;
     let multiple = (0..=top).fold(Integer::from(1), |lcm, k| lcm.lcm(&Integer::binomial(top, k)));

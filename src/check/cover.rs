@@ -62,7 +62,7 @@ impl<'c> Context<'c> {
         let (chain, elements) = (self.chain, &self.elements);
         let at = |parameter: super::element::Parameter, integer| parameter.depth == 0 && parameter.piece == integer;
         a.end(chain, elements) == b.start(chain, elements)
-            || chain.closed && at(a.start(chain, elements), 0) && at(b.end(chain, elements), chain.len())
+            || chain.closed && at(a.start(chain, elements), 0) && at(b.end(chain, elements), chain.count())
     }
 
     /// The two halves of a node.

@@ -31,7 +31,7 @@ pub struct Elements {
 impl Elements {
     /// The elements under a convention.
     pub fn new(chain: &Chain, convention: Convention) -> Self {
-        let pieces = chain.len();
+        let pieces = chain.count();
         let mut listed = Vec::new();
         if convention == Convention::Critical {
             if !chain.closed {
@@ -53,7 +53,7 @@ impl Elements {
     }
 
     /// How many there are.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         if self.listed.is_empty() { self.pieces } else { self.listed.len() }
     }
 
@@ -70,13 +70,13 @@ pub fn point_location(chain: &Chain, element: Element) -> (usize, bool) {
         Element::Piece(_) => unreachable!("a piece is not a point element"),
         Element::Corner(joint) => (joint, false),
         Element::Start => (0, false),
-        Element::End => (chain.len() - 1, true),
+        Element::End => (chain.count() - 1, true),
     }
 }
 
 /// The piece before and the piece after a corner.
 pub fn corner_pieces(chain: &Chain, joint: usize) -> (usize, usize) {
-    (if joint == 0 { chain.len() - 1 } else { joint - 1 }, joint)
+    (if joint == 0 { chain.count() - 1 } else { joint - 1 }, joint)
 }
 
 /// A parameter of the chain: `piece + numerator/2^depth`, with an odd numerator or numerator 0 and depth 0.
@@ -134,7 +134,7 @@ pub enum Node<'c> {
 impl<'c> Node<'c> {
     /// The node of all elements.
     pub fn whole(chain: &'c Chain, elements: &Elements) -> Self {
-        Node::of_elements(chain, elements, 0, 0, elements.len())
+        Node::of_elements(chain, elements, 0, 0, elements.count())
     }
 
     fn of_elements(chain: &'c Chain, elements: &Elements, number: usize, first: usize, last: usize) -> Self {
@@ -217,7 +217,7 @@ fn element_range(chain: &Chain, element: Element) -> (Parameter, Parameter) {
         Element::Piece(piece) => (piece, piece + 1),
         Element::Corner(joint) => (joint, joint),
         Element::Start => (0, 0),
-        Element::End => (chain.len(), chain.len()),
+        Element::End => (chain.count(), chain.count()),
     };
     (Parameter::new(start, 0, 0), Parameter::new(end, 0, 0))
 }

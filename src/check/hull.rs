@@ -209,9 +209,12 @@ impl<'h, W: Word> Gap<'h, W> {
 }
 
 impl<W: Word> Gap<'_, W> {
-    /// Calls `test` with integer vectors x and integers u > 0 such that p − q = x/(u·common), for all hull points p, q (not for
-    /// boxes); stops at the first `false`.
+    /// Calls `test` with integer vectors x and integers u > 0 such that p − q = x/(u·common), for all hull points p, q; stops at the
+    /// first `false`. Boxes have no list of points: for them the answer is `false`.
     pub fn all_differences(&self, mut test: impl FnMut(&[W; 3], &W) -> Option<bool>) -> Option<bool> {
+        if matches!(self.a.shape, Shape::Box(_)) || matches!(self.b.shape, Shape::Box(_)) {
+            return Some(false);
+        }
         for (p, weight_p) in self.a.points() {
             for (q, weight_q) in self.b.points() {
                 let (w, v) = (weight_p.unwrap_or(&self.weight_a), weight_q.unwrap_or(&self.weight_b));

@@ -76,7 +76,10 @@ impl<'c, W: Word> Block<'c, W> {
     }
 }
 
-fn halve_vectors<W: Word>(coefficients: &[[W; 3]]) -> Option<(Vec<[W; 3]>, Vec<[W; 3]>)> {
+/// The coefficients of the left and of the right half.
+type Halves<T> = Option<(Vec<T>, Vec<T>)>;
+
+fn halve_vectors<W: Word>(coefficients: &[[W; 3]]) -> Halves<[W; 3]> {
     let degree = coefficients.len() - 1;
     let mut row = coefficients.to_vec();
     let mut left = Vec::with_capacity(degree + 1);
@@ -99,7 +102,7 @@ fn halve_vectors<W: Word>(coefficients: &[[W; 3]]) -> Option<(Vec<[W; 3]>, Vec<[
     Some((left, row))
 }
 
-fn halve_numbers<W: Word>(coefficients: &[W]) -> Option<(Vec<W>, Vec<W>)> {
+fn halve_numbers<W: Word>(coefficients: &[W]) -> Halves<W> {
     if coefficients.is_empty() {
         return Some((Vec::new(), Vec::new()));
     }

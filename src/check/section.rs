@@ -34,14 +34,14 @@ fn whole_part(s: &Rational) -> Integer {
 
 /// Is `s` a parameter of the chain: 0 ≤ s ≤ M, and not M on a closed one?
 pub fn is_parameter(chain: &Chain, s: &Rational) -> bool {
-    let end = Rational::from_integer(chain.len().into());
+    let end = Rational::from_integer(chain.count().into());
     !s.numer().is_negative() && if chain.closed { *s < end } else { *s <= end }
 }
 
 /// The joint at an integer parameter of the chain (M is 0 when closed): its number, with the pieces before and after it where there
 /// are such.
 pub fn joint_pieces(chain: &Chain, joint: usize) -> (Option<usize>, Option<usize>) {
-    let count = chain.len();
+    let count = chain.count();
     let before = if joint > 0 { Some(joint - 1) } else { chain.closed.then(|| count - 1) };
     let after = if joint < count { Some(joint) } else { chain.closed.then_some(0) };
     (before, after)
@@ -70,7 +70,7 @@ pub fn locate(chain: &Chain, s: &Rational, side: Side) -> Option<Location> {
 pub fn sections(chain: &Chain, interval: &Interval) -> Option<(Vec<Section>, Option<usize>)> {
     let (start, end) = (&interval.start, &interval.end);
     let one = Rational::from_integer(1.into());
-    let count = Rational::from_integer(chain.len().into());
+    let count = Rational::from_integer(chain.count().into());
     if start.numer().is_negative() || *start >= count || start >= end || end - start > one || (!chain.closed && *end > count) {
         return None;
     }
@@ -80,7 +80,7 @@ pub fn sections(chain: &Chain, interval: &Interval) -> Option<(Vec<Section>, Opt
     if to <= one {
         return Some((vec![Section { piece: first, start: from, end: to }], None));
     }
-    let next = (first + 1) % chain.len();
+    let next = (first + 1) % chain.count();
     let zero = Rational::from_integer(0.into());
     let before = Section { piece: first, start: from, end: one.clone() };
     let after = Section { piece: next, start: zero, end: to - one };
@@ -251,6 +251,6 @@ pub fn direction(chain: &Chain, location: &Location) -> Option<[Integer; 3]> {
 
 /// Are two intervals in order and apart, also across the closing point?
 pub fn apart(chain: &Chain, first: &Interval, second: &Interval) -> bool {
-    let period = Rational::from_integer(chain.len().into());
+    let period = Rational::from_integer(chain.count().into());
     first.end < second.start && (!chain.closed || second.end < &first.start + period)
 }

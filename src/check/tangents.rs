@@ -62,7 +62,7 @@ impl<'s, W: Word> Tangents<'s, W> {
         let directions = match element {
             Element::Piece(_) => unreachable!("a piece is not a point element"),
             Element::Start => vec![(0, false)],
-            Element::End => vec![(chain.len() - 1, true)],
+            Element::End => vec![(chain.count() - 1, true)],
             Element::Corner(joint) => {
                 let (before, after) = corner_pieces(chain, joint);
                 vec![(before, true), (after, false)]

@@ -325,7 +325,9 @@ pub fn read_signed_varint<R: Read>(source: &mut R, max_bits: u64) -> Result<Inte
         return Ok(Integer::from(if small & 1 == 0 { magnitude } else { -magnitude - 1 }));
     }
     let half = &value >> 1u32;
-    Ok(if (&half << 1u32) == value { half } else { -half - Integer::from(1) })
+    let value = if (&half << 1u32) == value { half } else { -half - Integer::from(1) };
+    // −2^bits has one bit more than its varint suggests.
+    if value.bits() > max_bits { Err(TokenError::Malformed(format!("a number above {max_bits} bits"))) } else { Ok(value) }
 }
 
 #[cfg(test)]

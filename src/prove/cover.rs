@@ -69,6 +69,8 @@ pub struct Goal {
     pub lower: Lower,
     /// √ of it, rounded up; infinite for `Lower::Infinite`.
     pub length: f64,
+    /// How far σ may be above that length.
+    pub slack: f64,
     /// How often a piece may be halved.
     pub max_depth: u32,
     /// How many leaves are allowed.
@@ -131,7 +133,7 @@ impl<'n, 's> Search<'n, 's> {
         let second = b.unwrap_or(a);
         if !a.is_run() && !second.is_run() {
             let borderline = self.goal.length.is_finite()
-                && b.is_some_and(|b| !contact.any() && leaf::far_within_errors(self.nodes, a, b, Target { length: self.goal.length }));
+                && b.is_some_and(|b| !contact.any() && leaf::far_within_errors(self.nodes, a, b, Target { length: self.goal.length }, self.goal.slack));
             if borderline && let Some(leaf) = self.exact_leaf(&self.nodes.exact(a), b.map(|b| self.nodes.exact(b)).as_ref()) {
                 return self.emit_leaf(leaf);
             }
@@ -209,7 +211,7 @@ impl<'n, 's> Search<'n, 's> {
     fn stuck(&self, a: &Node, b: Option<&Node>, contact: Contact) -> Event {
         let location = |node: &Node| match node.kind {
             Kind::Point(Element::Corner(joint)) => (joint, 0.0),
-            Kind::Point(Element::End) => (self.nodes.context.chain.len() - 1, 1.0),
+            Kind::Point(Element::End) => (self.nodes.context.chain.count() - 1, 1.0),
             _ => node.middle().unwrap_or((0, 0.0)),
         };
         let second = b.unwrap_or(a);
@@ -282,7 +284,7 @@ impl<'n, 's> Search<'n, 's> {
         let location = |node: &ExactNode| match node {
             ExactNode::Part(part) => (part.piece, (part.index as f64 + 0.5) / 2f64.powi(part.depth as i32)),
             ExactNode::Point(Element::Corner(joint)) => (*joint, 0.0),
-            ExactNode::Point(Element::End) => (context.chain.len() - 1, 1.0),
+            ExactNode::Point(Element::End) => (context.chain.count() - 1, 1.0),
             _ => (0, 0.0),
         };
         let second = b.unwrap_or(a);

@@ -73,8 +73,8 @@ impl FloatChain {
     pub fn new(chain: &Chain) -> Self {
         let size: usize = chain.pieces.iter().map(|piece| piece.degree + piece.tangent_degree + 2).sum();
         let mut floats =
-            FloatChain { pieces: Vec::with_capacity(chain.len()), closed: chain.closed, coefficients: Vec::with_capacity(size) };
-        for piece in 0..chain.len() {
+            FloatChain { pieces: Vec::with_capacity(chain.count()), closed: chain.closed, coefficients: Vec::with_capacity(size) };
+        for piece in 0..chain.count() {
             match chain.pieces[piece].width {
                 crate::check::chain::Width::Narrow => floats.push(chain, piece, &chain.narrow_numbers(piece)),
                 crate::check::chain::Width::Wide => floats.push(chain, piece, &chain.wide_numbers(piece)),

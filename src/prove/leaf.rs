@@ -74,10 +74,10 @@ pub fn far(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> Option<Leaf> {
         }
     }
     let between = dot(&apart, &apart).sqrt();
-    if between > target.length {
-        if let Some(leaf) = rounded_far(nodes, a, b, &apart, between, target) {
-            return Some(leaf);
-        }
+    if between > target.length
+        && let Some(leaf) = rounded_far(nodes, a, b, &apart, between, target)
+    {
+        return Some(leaf);
     }
     if a.is_run() && b.is_run() {
         return None;
@@ -161,8 +161,12 @@ fn nearest_far(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> Option<Leaf
     None
 }
 
-/// Is it only for the errors of floats that `far` does not hold, as between parallel lines at just the distance asked for?
-pub fn far_within_errors(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> bool {
+/// Is it only for the errors of floats that `far` does not hold, as between parallel lines? Only asked where these errors are not small beside
+/// the `slack` that the bounds leave.
+pub fn far_within_errors(nodes: &Nodes, a: &Node, b: &Node, target: Target, slack: f64) -> bool {
+    if slack > 64.0 * (a.error + b.error + 4.0 * UNIT * (reach(a) + reach(b))) {
+        return false;
+    }
     let mut n = sub(&super::vector::middle(&a.low, &a.high), &super::vector::middle(&b.low, &b.high));
     for axis in 0..3 {
         if a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis] {

@@ -223,16 +223,16 @@ enum Attempt {
 
 impl Work<'_> {
     fn budget(&self) -> u64 {
-        let pieces = self.curve.context.chain.len() as u64;
+        let pieces = self.curve.context.chain.count() as u64;
         self.options.budget.unwrap_or(2_000_000 + 64 * pieces)
     }
 
     fn run(&mut self) -> Result<Found, CertifyError> {
-        let steps = 10_000 + 400 * self.curve.context.elements.len() as u64;
+        let steps = 10_000 + 400 * self.curve.context.elements.count() as u64;
         let seeds::Found { candidates, suspicious } = seeds::find(&mut self.curve.nodes(), steps.min(self.budget().saturating_mul(40).max(10_000)));
         if suspicious {
             // A point that is not regular makes every positive bound impossible; it is found faster alone.
-            let goal = Goal { diagonal: true, ..self.goal(&Lower::Infinite, self.budget()) };
+            let goal = Goal { diagonal: true, ..self.goal(&Lower::Infinite, &self.options.relative_width) };
             if let Err(Failure::Event(Event::Stuck(stuck))) = search(&self.curve, &goal, &mut io::sink(), &|_| ()) {
                 let why = self.describe(&stuck);
                 return Ok(self.found(Status::Undecided(why), zero_lower(), None));
@@ -260,7 +260,7 @@ impl Work<'_> {
                 },
                 (None, None) => Lower::Infinite,
             };
-            match self.attempt(&lower, self.budget())? {
+            match self.attempt(&lower, &self.options.relative_width)? {
                 Attempt::Proved(tree, leaves) => {
                     let status = match (&lower, &self.upper, unproved) {
                         (Lower::Infinite, _, _) | (_, Some(_), None) => Status::Certified,
@@ -302,17 +302,17 @@ impl Work<'_> {
         Found { status, lower, upper: self.upper.take(), tree }
     }
 
-    fn goal(&self, lower: &Lower, budget: u64) -> Goal {
+    fn goal(&self, lower: &Lower, relative_width: &Rational) -> Goal {
         let length = match lower {
             Lower::Infinite => f64::INFINITY,
             Lower::Finite(squared) => squared.to_f64().sqrt() * (1.0 + 4.0 * f64::EPSILON),
         };
         let halvings = 30.0 - 0.75 * self.options.relative_width.to_f64().log2();
-        Goal { lower: lower.clone(), length, max_depth: halvings.clamp(40.0, 118.0) as u32, budget, diagonal: false }
+        Goal { lower: lower.clone(), length, max_depth: halvings.clamp(40.0, 118.0) as u32, budget: self.budget(), diagonal: false, slack: length * relative_width.to_f64() }
     }
 
-    fn attempt(&self, lower: &Lower, budget: u64) -> Result<Attempt, CertifyError> {
-        let goal = self.goal(lower, budget);
+    fn attempt(&self, lower: &Lower, relative_width: &Rational) -> Result<Attempt, CertifyError> {
+        let goal = self.goal(lower, relative_width);
         let mut tree = SpooledTempFile::new(IN_MEMORY);
         match search(&self.curve, &goal, &mut tree, self.progress) {
             Ok(leaves) => Ok(Attempt::Proved(tree, leaves)),
@@ -362,8 +362,15 @@ impl Work<'_> {
                 break;
             }
             let lower = Lower::Finite(below(&start, &width));
-            match self.attempt(&lower, self.budget())? {
-                Attempt::Proved(tree, leaves) => proved = Some((lower, tree, leaves)),
+            match self.attempt(&lower, &width)? {
+                Attempt::Proved(tree, leaves) => {
+                    // Where the number of leaves grows steadily, the next step's is foreseeable.
+                    let before = proved.as_ref().map_or(leaves, |(_, _, leaves)| *leaves);
+                    proved = Some((lower, tree, leaves));
+                    if leaves > 2 * before && leaves.saturating_mul(leaves / before.max(1)) > self.budget() {
+                        break;
+                    }
+                }
                 Attempt::Event(_) => break,
             }
         }

@@ -120,8 +120,8 @@ pub fn run_cones(context: &Context, floats: &FloatChain) -> Vec<Cone> {
         cones[number] = left.merged(&right);
         cones[number]
     }
-    let mut cones = Vec::with_capacity(context.elements.len());
-    fill(context, floats, 0, context.elements.len(), &mut cones);
+    let mut cones = Vec::with_capacity(context.elements.count());
+    fill(context, floats, 0, context.elements.count(), &mut cones);
     cones
 }
 
@@ -133,7 +133,7 @@ fn point_tangents(context: &Context, floats: &FloatChain, element: Element) -> V
     let found = match element {
         Element::Piece(_) => unreachable!("a piece is not a point element"),
         Element::Start => [outgoing(0), None],
-        Element::End => [incoming(chain.len() - 1), None],
+        Element::End => [incoming(chain.count() - 1), None],
         Element::Corner(joint) => {
             let (before, after) = corner_pieces(chain, joint);
             [incoming(before), outgoing(after)]
@@ -161,7 +161,7 @@ impl<'s> Nodes<'s> {
 
     /// The node of all elements.
     pub fn whole(&mut self) -> Node {
-        self.of_elements(0, 0, self.context.elements.len())
+        self.of_elements(0, 0, self.context.elements.count())
     }
 
     /// The node of the elements `first … last−1`, which is run `number` if there are at least two.
@@ -341,7 +341,7 @@ impl<'s> Nodes<'s> {
 
     /// Is this node all of the curve?
     pub fn is_whole(&self, node: &Node) -> bool {
-        let count = self.context.elements.len();
+        let count = self.context.elements.count();
         match node.kind {
             Kind::Run { first, last, .. } => first == 0 && last == count,
             Kind::Part { depth, .. } => depth == 0 && count == 1,

@@ -57,7 +57,7 @@ pub enum Failure {
 
 /// Searches the whole tree and writes its tokens; returns the number of leaves.
 pub fn search(curve: &Curve, goal: &Goal, out: &mut dyn Write, progress: &dyn Fn(f64)) -> Result<u64, Failure> {
-    let count = curve.context.elements.len();
+    let count = curve.context.elements.count();
     let mut plan = Plan { curve, goal, items: Vec::new(), tokens: Vec::new(), leaves: 0, small: (count / 256).max(64) };
     plan.pair(Elements { number: 0, first: 0, last: count }, None, Contact::default()).map_err(Failure::Event)?;
     plan.flush();
@@ -137,7 +137,7 @@ impl Plan<'_, '_> {
         let Some(b) = b else {
             let (left, right) = self.halves(a);
             self.emit(&Token::Split);
-            let backward = size(a) == self.curve.context.elements.len() && self.curve.floats.closed;
+            let backward = size(a) == self.curve.context.elements.count() && self.curve.floats.closed;
             self.pair(left, None, Contact::default())?;
             self.pair(left, Some(right), Contact { forward: true, backward })?;
             return self.pair(right, None, Contact::default());

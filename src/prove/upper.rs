@@ -69,12 +69,12 @@ impl Bounds<'_> {
 
     /// M is written 0 on a closed curve.
     fn normal(&self, s: Rational) -> Rational {
-        if self.chain.closed && s >= integer(self.chain.len()) { s - integer(self.chain.len()) } else { s }
+        if self.chain.closed && s >= integer(self.chain.count()) { s - integer(self.chain.count()) } else { s }
     }
 
     fn local(&self, s: &Rational) -> Location {
         let piece = s.numer().div_floor(s.denom()).to_u64().unwrap_or(0) as usize;
-        let piece = piece.min(self.chain.len() - 1);
+        let piece = piece.min(self.chain.count() - 1);
         (piece, (s - integer(piece)).to_f64())
     }
 
@@ -224,15 +224,21 @@ impl Bounds<'_> {
         let bits = (speed / (length * (0.02 * width).sqrt())).log2().ceil().clamp(8.0, 100.0) as u32;
         // Floats settle a well-conditioned root to about 2^-45.
         let start = (rounded(&s, bits + 8), rounded(&t, bits + 8));
+        let at = if s <= t { [s.clone(), t.clone()] } else { [t.clone(), s.clone()] };
         let quick = if bits <= 36 { self.miranda_near(start, bits, relative_width) } else { None };
-        quick.or_else(|| self.miranda_near(self.refined(s, t, bits + 8)?, bits, relative_width))
+        match quick {
+            // Floats are nearer to the root than the middle of the box is.
+            Some(found) => Some(UpperBound { at, ..found }),
+            None => self.miranda_near(self.refined(s, t, bits + 8)?, bits, relative_width),
+        }
     }
 
     /// The same for two parameters that are right to a small part of 2^-bits.
     fn miranda_near(&self, (s, t): (Rational, Rational), bits: u32, relative_width: &Rational) -> Option<UpperBound> {
-        let (s, t) = if s <= t { (s, t) } else { (t, s) };
-        let jacobian = self.jacobian(self.local(&s), self.local(&t));
-        let (scale_s, scale_t) = (self.field_scale(self.local(&s)), self.field_scale(self.local(&t)));
+        let (near_s, near_t) = if s <= t { (s, t) } else { (t, s) };
+        let (s, t) = (&near_s, &near_t);
+        let jacobian = self.jacobian(self.local(s), self.local(t));
+        let (scale_s, scale_t) = (self.field_scale(self.local(s)), self.field_scale(self.local(t)));
         let determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
         let row = |x: f64, y: f64| {
             let sign = determinant.signum();
@@ -242,14 +248,14 @@ impl Bounds<'_> {
         let first = row(jacobian[1][1], -jacobian[0][1]);
         let second = row(-jacobian[1][0], jacobian[0][0]);
         let tight = Rational::from_integer(1.into()) + relative_width * Rational::new(3.into(), 10.into());
-        let aim = self.chord_squared(&s, &t)? * &tight;
+        let aim = self.chord_squared(s, t)? * &tight;
         for extra in (0..=12).step_by(2) {
             let bits = bits + extra;
             let interval = |x: &Rational| {
                 let (middle, step) = (rounded(x, bits), power_of_two(bits));
                 Interval { start: &middle - &step, end: middle + step }
             };
-            let (s, t) = (interval(&s), interval(&t));
+            let (s, t) = (interval(s), interval(t));
             let Some(reach) = self.greatest_distance(&s, &t).filter(|reach| *reach <= aim) else { continue };
             let squared = few_bits_between(&reach, &(&reach * (Rational::from_integer(1.into()) + relative_width * Rational::new(1.into(), 20.into()))));
             for subdivisions in [1, 2, 4, 8, 16, 32] {
@@ -257,7 +263,7 @@ impl Bounds<'_> {
                 let witness = miranda::Witness { s: &s, t: &t, first: &first, second: &second, regular: &regular, subdivisions };
                 let outcome = widening!(128, W => miranda::check::<W>(self.chain, &witness, &squared));
                 if outcome.is_ok() {
-                    let at = [(&s.start + &s.end) / integer(2), (&t.start + &t.end) / integer(2)];
+                    let at = [near_s.clone(), near_t.clone()];
                     let rule = Upper::Miranda { s, t, first, second, regular, subdivisions };
                     return Some(UpperBound { rule, squared, at });
                 }

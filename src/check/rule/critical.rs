@@ -36,7 +36,7 @@ fn kind(chain: &Chain, s: &Rational) -> Kind {
         (Some(before), None) => Kind::End(chain.end_direction(before, true).map(|x| -x)),
         _ if smooth_at(chain, joint) => Kind::Regular,
         _ => {
-            let (before, after) = corner_pieces(chain, joint % chain.len());
+            let (before, after) = corner_pieces(chain, joint % chain.count());
             Kind::Corner(chain.end_direction(before, true), chain.end_direction(after, false))
         }
     }
@@ -93,7 +93,7 @@ pub fn check_interval<W: Word>(
     let Some((pieces, joint)) = sections(chain, t) else {
         return Some(fails("an interval of the curve", "an interval outside it, reversed or too long".into()));
     };
-    let again = s + Rational::from_integer(chain.len().into());
+    let again = s + Rational::from_integer(chain.count().into());
     let inside = |s: &Rational| t.start <= *s && *s <= t.end;
     if inside(s) || chain.closed && inside(&again) {
         return Some(fails("s outside the interval", s.to_string()));

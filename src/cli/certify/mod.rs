@@ -1,0 +1,30 @@
+//! `knotproof certify`: proves a claim about a curve.
+
+mod atomic_file;
+mod msd;
+mod progress;
+mod report;
+
+use clap::{Args, Subcommand};
+
+use super::Exit;
+use super::failure::Failure;
+
+/// Prove a claim about a curve, and write the certificate.
+#[derive(Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    claim: Claim,
+}
+
+#[derive(Subcommand)]
+enum Claim {
+    Msd(Box<msd::Arguments>),
+}
+
+/// Runs the subcommand.
+pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
+    match arguments.claim {
+        Claim::Msd(arguments) => msd::run(*arguments),
+    }
+}

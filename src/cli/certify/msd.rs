@@ -1,0 +1,217 @@
+//! `knotproof certify msd`: the minimum separation distance.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use knotproof::certificate::{Encoding, MAX_JSON_BYTES};
+use knotproof::claim::msd::Convention;
+use knotproof::number::{Integer, Meaning, Rational, parse_number};
+use knotproof::prove::msd::{Certified, CertifyError, Options, Status, certify};
+use tempfile::SpooledTempFile;
+
+use super::atomic_file::AtomicFile;
+use super::progress::Progress;
+use super::report::{Report, Written};
+use crate::cli::failure::Failure;
+use crate::cli::input::Input;
+use crate::cli::output::{say, say_json};
+use crate::cli::{Exit, Printing};
+
+/// The minimum separation distance σ: the length of the shortest double normal
+///
+/// A double normal is a chord orthogonal to the curve at both ends. The output is an interval that contains σ and the place
+/// on the curve. All that is printed as proved has been replayed by the checker, with or without -o. When the interval asked
+/// for cannot be proved, the exit code is 3, and what could be proved is printed and written.
+#[derive(Args)]
+pub struct Arguments {
+    /// The curve, a file of version curve/1; "-" is standard input.
+    curve: Input,
+    /// Which chords count at corners and ends.
+    #[arg(long, value_enum, default_value_t = ConventionName::Smooth)]
+    convention: ConventionName,
+    /// How far apart the bounds may be, relative to the upper one: a decimal or a fraction from 1e-30 to 1e-1.
+    #[arg(long, value_name = "WIDTH", default_value = "1e-12", allow_hyphen_values = true, value_parser = parse_width)]
+    rel_width: Width,
+    /// How many leaves the proof may have at most [default: 2,000,000 and 64 for each piece]
+    #[arg(long, value_name = "LEAVES", value_parser = clap::value_parser!(u64).range(1..))]
+    budget: Option<u64>,
+    /// How many threads search; the certificate does not depend on it [default: one for each core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Write the certificate to this file. It is there only when whole, and accepted by the checker.
+    #[arg(long, short, value_name = "CERT")]
+    output: Option<PathBuf>,
+    /// The form of the certificate [default: binary when the name of CERT ends in ".bin", else json]
+    #[arg(long, value_enum, requires = "output")]
+    format: Option<Format>,
+    /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
+    #[arg(long)]
+    snap_joints: bool,
+    #[command(flatten)]
+    printing: Printing,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum ConventionName {
+    /// Orthogonal to a one-sided tangent at each end
+    Smooth,
+    /// Turning points of the distance at corners and open ends count too
+    Critical,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    /// Readable, for small certificates
+    Json,
+    /// Compact, for large ones
+    Binary,
+}
+
+/// A relative width, with the text that gave it.
+#[derive(Clone)]
+struct Width {
+    text: String,
+    value: Rational,
+}
+
+fn parse_width(text: &str) -> Result<Width, String> {
+    let power = |exponent| Rational::new(Integer::ONE, Integer::from(10).pow(exponent));
+    let value = parse_number(text, Meaning::Decimal).map_err(|error| error.to_string())?;
+    if value < power(30) || value > power(1) {
+        return Err("expected a width from 1e-30 to 1e-1".into());
+    }
+    Ok(Width {
+        text: text.into(),
+        value,
+    })
+}
+
+impl Arguments {
+    fn encoding(&self, path: &Path) -> Encoding {
+        match self.format {
+            Some(Format::Json) => Encoding::Json,
+            Some(Format::Binary) => Encoding::Binary,
+            None if path.extension() == Some(OsStr::new("bin")) => Encoding::Binary,
+            None => Encoding::Json,
+        }
+    }
+
+    /// The place of the certificate, looked at before the search so that hours are not spent for nothing.
+    fn target(&self) -> Result<Option<AtomicFile>, Failure> {
+        let Some(path) = &self.output else {
+            return Ok(None);
+        };
+        if path == Path::new("-") {
+            return Err(Failure::new(
+                "-o: the certificate cannot be written to standard output, which shows the result; name a file",
+            ));
+        }
+        let target = AtomicFile::new(path)?;
+        match &self.curve {
+            Input::File(curve) if target.replaces(curve) => Err(Failure::at(
+                path.display(),
+                "the certificate would replace the curve file",
+            )),
+            _ => Ok(Some(target)),
+        }
+    }
+}
+
+/// Runs the subcommand.
+pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
+    let target = arguments.target()?;
+    if let Some(threads) = arguments.threads {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
+        pool.build_global()
+            .map_err(|error| Failure::at("--threads", error))?;
+    }
+    let file = arguments.curve.read_curve(arguments.snap_joints)?;
+    let options = Options {
+        convention: match arguments.convention {
+            ConventionName::Smooth => Convention::Smooth,
+            ConventionName::Critical => Convention::Critical,
+        },
+        relative_width: arguments.rel_width.value.clone(),
+        budget: arguments.budget,
+        name: file.name.clone(),
+        snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
+    };
+    let start = Instant::now();
+    let mut certified = {
+        let progress = Progress::new(arguments.printing.quiet);
+        certify(&file.curve, &options, &|part| progress.at(part))
+            .map_err(|error| failure(&error, None))?
+    };
+    let written = match target {
+        Some(target) => Some(write(
+            &mut certified,
+            arguments.encoding(target.path()),
+            &target,
+        )?),
+        None => {
+            let mut nowhere = SpooledTempFile::new(1 << 26);
+            certified
+                .write_checked(Encoding::Binary, &mut nowhere)
+                .map_err(|error| failure(&error, None))?;
+            None
+        }
+    };
+    let seconds = start.elapsed().as_secs_f64();
+    let report = Report {
+        input: &arguments.curve,
+        file: &file,
+        certified: &certified,
+        width_asked: &arguments.rel_width.text,
+        seconds,
+        written,
+    };
+    if arguments.printing.json {
+        say_json(&report.for_programs())?;
+    } else if !arguments.printing.quiet {
+        say(&report.for_people())?;
+    }
+    Ok(match certified.status {
+        Status::Certified => Exit::Success,
+        Status::Undecided(_) => Exit::Undecided,
+    })
+}
+
+/// Writes the certificate, lets the checker read it back, and only then gives it its name.
+fn write(
+    certified: &mut Certified,
+    encoding: Encoding,
+    target: &AtomicFile,
+) -> Result<Written, Failure> {
+    let mut file = target.begin()?;
+    if let Err(error) = certified.write_checked(encoding, &mut file) {
+        let size = file
+            .as_file()
+            .metadata()
+            .map_or(0, |metadata| metadata.len());
+        if encoding == Encoding::Json && size >= MAX_JSON_BYTES {
+            let what =
+                "cannot be written: the certificate is above 1 GiB as JSON, use --format binary";
+            return Err(Failure::at(target.path().display(), what));
+        }
+        return Err(failure(&error, Some(target)));
+    }
+    let bytes = target.finish(file)?;
+    Ok(Written {
+        path: target.path().to_path_buf(),
+        bytes,
+    })
+}
+
+fn failure(error: &CertifyError, target: Option<&AtomicFile>) -> Failure {
+    match (error, target) {
+        (CertifyError::Io(error), Some(target)) => target.failure(error),
+        (CertifyError::Io(error), None) => {
+            Failure::io("temporary file", "cannot be written", error)
+        }
+        (CertifyError::Refuted(_), _) => Failure::new(format!(
+            "{error}; this is an error of knotproof, please report it"
+        )),
+    }
+}

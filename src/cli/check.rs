@@ -1,0 +1,221 @@
+//! `knotproof check`: replays certificates.
+
+use std::fmt::Write;
+
+use clap::Args;
+use knotproof::certificate::{Document, FormatError, curve_sha256};
+use knotproof::check::{Verdict, check};
+use serde::Serialize;
+
+use super::bounds::{Bounds, in_words, leaves_in_words};
+use super::failure::Failure;
+use super::input::{Input, Noting, standard_input_once};
+use super::output::{complain, say, say_json};
+use super::{Exit, Printing};
+
+/// Check certificates: replay their evidence in exact arithmetic
+///
+/// The checker uses none of the code that finds evidence, and no floating-point numbers. An accepted statement is proved.
+///
+/// For each file one line says whether its statement is proved. With several files the exit code is the worst: 2 when one
+/// cannot be read, else 1 when one is rejected, else 0.
+#[derive(Args)]
+pub struct Arguments {
+    /// Certificates, JSON or binary; "-" is standard input.
+    #[arg(value_name = "CERT", required = true)]
+    certificates: Vec<Input>,
+    /// Accept only certificates about exactly this curve.
+    #[arg(long, value_name = "CURVE")]
+    curve: Option<Input>,
+    /// Read the curve as `certify --snap-joints` does.
+    #[arg(long, requires = "curve")]
+    snap_joints: bool,
+    #[command(flatten)]
+    printing: Printing,
+}
+
+/// The curve that certificates must be about.
+struct Wanted<'a> {
+    file: &'a Input,
+    sha256: [u8; 32],
+}
+
+/// What `--json` prints of one file.
+#[derive(Serialize)]
+struct Line<'a> {
+    file: String,
+    #[serde(flatten)]
+    outcome: &'a Outcome,
+}
+
+/// What became of one file.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Outcome {
+    Accepted {
+        verdict: &'static str,
+        statement: Box<StatementLine>,
+        leaves: u64,
+        curve_sha256: String,
+    },
+    Rejected {
+        verdict: &'static str,
+        place: Option<String>,
+        reason: String,
+    },
+    Unreadable {
+        error: String,
+    },
+}
+
+/// An accepted statement.
+#[derive(Serialize)]
+struct StatementLine {
+    claim: &'static str,
+    convention: &'static str,
+    #[serde(flatten)]
+    bounds: Bounds,
+    #[serde(skip)]
+    words: String,
+}
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    standard_input_once(arguments.certificates.iter().chain(&arguments.curve))?;
+    let wanted = match &arguments.curve {
+        None => None,
+        Some(file) => {
+            let sha256 = curve_sha256(&file.read_curve(arguments.snap_joints)?.curve);
+            Some(Wanted { file, sha256 })
+        }
+    };
+    let mut worst = Exit::Success;
+    for input in &arguments.certificates {
+        let (outcome, exit) = match judge(input, wanted.as_ref()) {
+            Ok(outcome @ Outcome::Accepted { .. }) => (outcome, Exit::Success),
+            Ok(outcome) => (outcome, Exit::Refuted),
+            Err(failure) => {
+                complain(&failure);
+                (
+                    Outcome::Unreadable {
+                        error: failure.to_string(),
+                    },
+                    Exit::Unusable,
+                )
+            }
+        };
+        worst = worst.max(exit);
+        if arguments.printing.json {
+            say_json(&Line {
+                file: input.to_string(),
+                outcome: &outcome,
+            })?;
+        } else if !arguments.printing.quiet {
+            say(&outcome.for_people(input))?;
+        }
+    }
+    Ok(worst)
+}
+
+fn judge(input: &Input, wanted: Option<&Wanted>) -> Result<Outcome, Failure> {
+    let mut source = Noting::new(input.open()?);
+    let verdict = check(&mut source);
+    if let Some(error) = source.into_error() {
+        return Err(input.unreadable(&error));
+    }
+    let (document, leaves) = match verdict {
+        Verdict::Accepted { document, leaves } => (document, leaves),
+        Verdict::Malformed(_) if input.is_curve_file() => {
+            let reason = "found a curve file, expected a certificate; certify makes one of it";
+            return Ok(rejected(None, reason.into()));
+        }
+        Verdict::Malformed(error) => return Ok(malformed(error)),
+        Verdict::Rejected { rejection, .. } => {
+            return Ok(rejected(
+                Some(rejection.place.to_string()),
+                rejection.reason.to_string(),
+            ));
+        }
+    };
+    let sha256 = curve_sha256(&document.curve);
+    match wanted {
+        Some(wanted) if wanted.sha256 != sha256 => {
+            let reason = format!(
+                "the certificate is about another curve: expected curve_sha256 {}, that of {}, found {}",
+                hexadecimal(&wanted.sha256),
+                wanted.file,
+                hexadecimal(&sha256)
+            );
+            Ok(rejected(Some("curve".into()), reason))
+        }
+        _ => Ok(accepted(&document, leaves, &sha256)),
+    }
+}
+
+fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
+    let statement = StatementLine {
+        claim: "msd",
+        convention: document.statement.convention.name(),
+        bounds: Bounds::new(&document.statement),
+        words: in_words(&document.statement),
+    };
+    Outcome::Accepted {
+        verdict: "accepted",
+        statement: Box::new(statement),
+        leaves,
+        curve_sha256: hexadecimal(sha256),
+    }
+}
+
+fn rejected(place: Option<String>, reason: String) -> Outcome {
+    Outcome::Rejected {
+        verdict: "rejected",
+        place,
+        reason,
+    }
+}
+
+fn malformed(error: FormatError) -> Outcome {
+    match error {
+        FormatError::Malformed { place, what } => rejected(Some(place), what),
+        other => rejected(None, other.to_string()),
+    }
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+impl Outcome {
+    /// One line, or nothing of a file that could not be read: standard error has told that.
+    fn for_people(&self, input: &Input) -> String {
+        match self {
+            Outcome::Accepted {
+                statement,
+                leaves,
+                curve_sha256,
+                ..
+            } => format!(
+                "accepted: {input}: {} (minimum separation distance, {} convention; curve {}…, {})\n",
+                statement.words,
+                statement.convention,
+                &curve_sha256[..12],
+                leaves_in_words(*leaves),
+            ),
+            Outcome::Rejected {
+                place: Some(place),
+                reason,
+                ..
+            } => format!("rejected: {input}: {place}: {reason}\n"),
+            Outcome::Rejected {
+                place: None,
+                reason,
+                ..
+            } => format!("rejected: {input}: {reason}\n"),
+            Outcome::Unreadable { .. } => String::new(),
+        }
+    }
+}

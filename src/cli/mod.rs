@@ -1,0 +1,88 @@
+//! The command line: its arguments, one file for each subcommand, exit codes.
+
+mod bounds;
+#[cfg(feature = "prove")]
+mod certify;
+mod check;
+mod failure;
+mod input;
+mod output;
+
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+
+const EXIT_CODES: &str = "Exit codes: 0 proved or accepted, 1 refuted or rejected, 2 wrong usage or a file that cannot be \
+read or written, 3 undecided.";
+
+#[cfg(not(feature = "prove"))]
+const CHECKER_ALONE: &str = "This is the checker alone, built without the feature `prove`: it checks certificates and cannot make them.\n\n\
+Exit codes: 0 accepted, 1 rejected, 2 wrong usage or a file that cannot be read.";
+
+/// Exact spline geometry with certificates.
+#[derive(Parser)]
+#[command(name = "knotproof", version, about, after_help = EXIT_CODES)]
+#[cfg_attr(not(feature = "prove"), command(after_help = CHECKER_ALONE))]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    #[cfg(feature = "prove")]
+    Certify(certify::Arguments),
+    Check(check::Arguments),
+}
+
+/// What every subcommand prints.
+#[derive(Args, Clone, Copy)]
+struct Printing {
+    /// Print JSON on standard output, exact numbers as strings.
+    #[arg(long)]
+    json: bool,
+    /// Print nothing but errors (and JSON, with --json); the exit code tells the result.
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// The result of a run that came to its end, worst last.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Exit {
+    /// Proved or accepted.
+    Success,
+    /// Refuted or rejected.
+    Refuted,
+    /// Wrong usage, or a file that cannot be read or written.
+    Unusable,
+    /// What was asked is neither proved nor refuted.
+    #[cfg(feature = "prove")]
+    Undecided,
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> ExitCode {
+        ExitCode::from(match exit {
+            Exit::Success => 0,
+            Exit::Refuted => 1,
+            Exit::Unusable => 2,
+            #[cfg(feature = "prove")]
+            Exit::Undecided => 3,
+        })
+    }
+}
+
+/// Parses the arguments, runs the subcommand, prints an error if there is one.
+pub fn run() -> ExitCode {
+    let outcome = match Arguments::parse().command {
+        #[cfg(feature = "prove")]
+        Command::Certify(arguments) => certify::run(arguments),
+        Command::Check(arguments) => check::run(&arguments),
+    };
+    outcome
+        .unwrap_or_else(|failure| {
+            output::complain(&failure);
+            Exit::Unusable
+        })
+        .into()
+}

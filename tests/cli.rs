@@ -1,0 +1,17 @@
+//! The command line as a user meets it: the built program, its output, its exit codes, the files it leaves.
+
+#[cfg(feature = "prove")]
+#[path = "cli/atomic.rs"]
+mod atomic;
+#[cfg(feature = "prove")]
+#[path = "cli/certify.rs"]
+mod certify;
+#[path = "cli/check.rs"]
+mod check;
+#[path = "cli/help.rs"]
+mod help;
+#[path = "cli/run.rs"]
+mod run;
+#[cfg(feature = "prove")]
+#[path = "cli/usage.rs"]
+mod usage;
