@@ -281,7 +281,7 @@ fn pieces_agree(curve: &Curve) {
         assert!(inserted.pieces().iter().any(point));
         return;
     };
-    assert_eq!(blossomed.len(), inserted.count());
+    assert_eq!(blossomed.pieces.len(), inserted.count());
     assert_eq!(blossomed.closed, inserted.closed());
     for (i, piece) in inserted.pieces().iter().enumerate() {
         let numbers = blossomed
