@@ -11,18 +11,12 @@ const MAY_USE: [(&str, &[&str]); 11] = [
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
     ("float", &["number", "curve"]),
-    (
-        "prove",
-        &["number", "curve", "claim", "certificate", "check", "float"],
-    ),
+    ("prove", &["number", "curve", "claim", "certificate", "check", "float"]),
     (
         "validate",
         &["number", "curve", "claim", "certificate", "check", "float"],
     ),
-    (
-        "show",
-        &["number", "curve", "claim", "certificate", "check", "float"],
-    ),
+    ("show", &["number", "curve", "claim", "certificate", "check", "float"]),
     (
         "cli",
         &[
@@ -109,17 +103,9 @@ fn identifier(text: &str) -> &str {
 fn uses(path: &Path) -> BTreeSet<String> {
     let code = code(path);
     let mut found = BTreeSet::new();
-    let depth = path
-        .strip_prefix(src())
-        .expect("a source file")
-        .components()
-        .count();
+    let depth = path.strip_prefix(src()).expect("a source file").components().count();
     // `super` so often that it leads out of the module.
-    let up = "super::".repeat(if path.ends_with("mod.rs") {
-        depth - 1
-    } else {
-        depth
-    });
+    let up = "super::".repeat(if path.ends_with("mod.rs") { depth - 1 } else { depth });
     for prefix in ["crate::", "knotproof::", &up] {
         if prefix.is_empty() {
             continue;
@@ -180,10 +166,7 @@ fn modules_use_only_what_they_may() {
             .find(|(listed, _)| listed == name)
             .unwrap_or_else(|| panic!("src/{name} is not in the list of modules"));
         for other in used {
-            assert!(
-                allowed.1.contains(&other.as_str()),
-                "src/{name} uses {other}"
-            );
+            assert!(allowed.1.contains(&other.as_str()), "src/{name} uses {other}");
         }
     }
     // The scan sees what is certainly there.
@@ -220,10 +203,7 @@ fn the_checker_uses_neither_threads_nor_floating_point_nor_search() {
         let code = code(&path);
         for word in ["f64", "f32", "rayon", "indicatif", "cfg(feature"] {
             let own = code.match_indices(word).any(|(at, _)| {
-                let (before, after) = (
-                    code[..at].chars().next_back(),
-                    code[at + word.len()..].chars().next(),
-                );
+                let (before, after) = (code[..at].chars().next_back(), code[at + word.len()..].chars().next());
                 let joins = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
                 !joins(before) && !joins(after)
             });

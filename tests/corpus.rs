@@ -28,8 +28,7 @@ fn recipes() -> Vec<Case> {
 /// All files below a folder, in order.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
-    let entries =
-        std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let entries = std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     for entry in entries {
         let path = entry.expect("an entry").path();
         if path.is_dir() {
@@ -66,10 +65,7 @@ fn both_checkers_agree_on_every_file() {
             wrong.push(format!("{}: {}", path.display(), describe(&verdict)));
         }
     }
-    for ((path, accepted), answer) in all
-        .iter()
-        .zip(second.join().expect("the second checker answers"))
-    {
+    for ((path, accepted), answer) in all.iter().zip(second.join().expect("the second checker answers")) {
         if answer.accepted != *accepted {
             wrong.push(format!("{}: check.py: {}", path.display(), answer.reason));
         }
@@ -89,20 +85,11 @@ fn hand_made_files_are_those_of_the_rules_tests() {
             path.display()
         );
     }
-    let known: Vec<PathBuf> = recipes
-        .iter()
-        .map(|case| certs().join(case.path()))
-        .collect();
+    let known: Vec<PathBuf> = recipes.iter().map(|case| certs().join(case.path())).collect();
     for folder in ["accept", "reject"] {
         for path in files(&certs().join(folder)) {
-            let proved = path
-                .parent()
-                .is_some_and(|parent| parent.ends_with("proved"));
-            assert!(
-                proved || known.contains(&path),
-                "{} has no recipe",
-                path.display()
-            );
+            let proved = path.parent().is_some_and(|parent| parent.ends_with("proved"));
+            assert!(proved || known.contains(&path), "{} has no recipe", path.display());
         }
     }
 }
@@ -122,10 +109,7 @@ fn every_rule_is_on_both_sides() {
         "critical_interval",
     ] {
         for verdict in ["accept", "reject"] {
-            assert!(
-                !files(&certs().join(verdict).join(rule)).is_empty(),
-                "{verdict}/{rule}"
-            );
+            assert!(!files(&certs().join(verdict).join(rule)).is_empty(), "{verdict}/{rule}");
         }
     }
 }
@@ -148,13 +132,7 @@ mod proved {
         Rational::new(1.into(), Integer::from(10).pow(exponent))
     }
 
-    fn certified(
-        curve: &Curve,
-        name: &str,
-        convention: Convention,
-        digits: u32,
-        budget: u64,
-    ) -> Certified {
+    fn certified(curve: &Curve, name: &str, convention: Convention, digits: u32, budget: u64) -> Certified {
         let options = Options {
             convention,
             relative_width: tenth_to_the(digits),
@@ -168,36 +146,22 @@ mod proved {
     fn write(certified: &mut Certified, encoding: Encoding, name: &str) {
         let mut file = Cursor::new(Vec::new());
         certified.write_checked(encoding, &mut file).expect(name);
-        let extension = if encoding == Encoding::Json {
-            "json"
-        } else {
-            "cert"
-        };
+        let extension = if encoding == Encoding::Json { "json" } else { "cert" };
         let folder = certs().join("accept/proved");
         std::fs::create_dir_all(&folder).expect("a folder");
-        std::fs::write(
-            folder.join(format!("{name}.{extension}")),
-            file.into_inner(),
-        )
-        .expect("writes");
+        std::fs::write(folder.join(format!("{name}.{extension}")), file.into_inner()).expect("writes");
     }
 
     fn says_something(certified: &Certified) -> bool {
         let statement = &certified.document.statement;
-        let zero =
-            matches!(&statement.lower_squared, Lower::Finite(lower) if lower.numer().is_zero());
+        let zero = matches!(&statement.lower_squared, Lower::Finite(lower) if lower.numer().is_zero());
         !zero || statement.upper_squared.is_some()
     }
 
     /// A certificate of 200 pieces like the trace of a protein.
     fn trace() -> Curve {
         let pieces = chains::chain(chains::Kind::CAlpha, 200, 1).expect("a size that is accepted");
-        let thousandths = |x: &f64| {
-            Rational::new(
-                Integer::from((x * 1000.0).round() as i64),
-                Integer::from(1000),
-            )
-        };
+        let thousandths = |x: &f64| Rational::new(Integer::from((x * 1000.0).round() as i64), Integer::from(1000));
         let pieces = pieces.iter().map(|points| {
             let coordinates: Vec<Rational> = points.iter().flatten().map(thousandths).collect();
             Bezier::new(3, RationalVector::from_rationals(&coordinates), None).expect("a piece")
@@ -222,31 +186,18 @@ mod proved {
                     .into_iter()
                     .map(|digits| certified(&file.curve, &title, convention, digits, 1500))
                     .find(|found| found.status == knotproof::prove::msd::Status::Certified);
-                let mut found =
-                    found.unwrap_or_else(|| certified(&file.curve, &title, convention, 1, 1500));
+                let mut found = found.unwrap_or_else(|| certified(&file.curve, &title, convention, 1, 1500));
                 if says_something(&found) {
-                    write(
-                        &mut found,
-                        Encoding::Json,
-                        &format!("{name}-{}", convention.name()),
-                    );
+                    write(&mut found, Encoding::Json, &format!("{name}-{}", convention.name()));
                 }
             }
         }
         let curve = |name: &str| {
             let path: &Path = &certs().join("curves").join(name);
-            read_curve(std::fs::read(path).expect(name))
-                .expect(name)
-                .curve
+            read_curve(std::fs::read(path).expect(name)).expect(name).curve
         };
         for name in ["mp06-figure-1", "trefoil-24", "nurbs-ellipse", "square"] {
-            let mut found = certified(
-                &curve(&format!("{name}.json")),
-                name,
-                Convention::Smooth,
-                12,
-                20_000,
-            );
+            let mut found = certified(&curve(&format!("{name}.json")), name, Convention::Smooth, 12, 20_000);
             write(&mut found, Encoding::Binary, name);
         }
         let mut narrow = certified(

@@ -21,10 +21,7 @@ use proptest::prelude::*;
 use sampling::FloatCurve;
 
 fn integers(numbers: impl IntoIterator<Item = i64>) -> RationalVector {
-    let numbers: Vec<Rational> = numbers
-        .into_iter()
-        .map(|n| Rational::from_integer(n.into()))
-        .collect();
+    let numbers: Vec<Rational> = numbers.into_iter().map(|n| Rational::from_integer(n.into())).collect();
     RationalVector::from_rationals(&numbers)
 }
 
@@ -104,21 +101,14 @@ fn curves(highest: usize) -> impl Strategy<Value = Curve> {
         2usize..=3,
         any::<bool>(),
     )
-        .prop_filter_map(
-            "a spline",
-            |(degree, points, weights, dimension, closed)| {
-                spline(degree, points, weights, dimension, closed)
-            },
-        );
+        .prop_filter_map("a spline", |(degree, points, weights, dimension, closed)| {
+            spline(degree, points, weights, dimension, closed)
+        });
     prop_oneof![2 => chains, 1 => splines]
 }
 
 /// Runs in a thread of its own, as long as is patience.
-fn within<T: Send + 'static>(
-    seconds: u64,
-    what: &str,
-    work: impl FnOnce() -> T + Send + 'static,
-) -> T {
+fn within<T: Send + 'static>(seconds: u64, what: &str, work: impl FnOnce() -> T + Send + 'static) -> T {
     let (sender, receiver) = mpsc::channel();
     std::thread::spawn(move || sender.send(work()));
     match receiver.recv_timeout(Duration::from_secs(seconds)) {
@@ -169,9 +159,11 @@ fn statement(bytes: &[u8]) -> Statement {
 /// The vertices of a polygon.
 fn vertices(curve: &Curve) -> Option<Vec<Vec<Rational>>> {
     let chain = curve.chain();
-    if chain.pieces().iter().any(|piece| {
-        piece.degree() != 1 || !piece.is_polynomial() || piece.point(0) == piece.point(1)
-    }) {
+    if chain
+        .pieces()
+        .iter()
+        .any(|piece| piece.degree() != 1 || !piece.is_polynomial() || piece.point(0) == piece.point(1))
+    {
         return None;
     }
     let mut vertices = vec![chain.pieces()[0].point(0)];
@@ -183,15 +175,10 @@ fn vertices(curve: &Curve) -> Option<Vec<Vec<Rational>>> {
 fn consistent(curve: &Curve, statement: &Statement) {
     let critical = statement.convention == Convention::Critical;
     if let Some(vertices) = vertices(curve) {
-        match (
-            Polygon::new(&vertices).squared(critical),
-            &statement.lower_squared,
-        ) {
-            (Some(truth), Lower::Finite(lower)) => assert!(
-                *lower <= truth,
-                "σ² = {truth}, {statement:?}, {}",
-                text(curve)
-            ),
+        match (Polygon::new(&vertices).squared(critical), &statement.lower_squared) {
+            (Some(truth), Lower::Finite(lower)) => {
+                assert!(*lower <= truth, "σ² = {truth}, {statement:?}, {}", text(curve))
+            }
             (Some(truth), Lower::Infinite) => {
                 panic!("σ² = {truth}, {statement:?}, {}", text(curve))
             }
@@ -203,11 +190,7 @@ fn consistent(curve: &Curve, statement: &Statement) {
         }
         let truth = Polygon::new(&vertices).squared(critical);
         if let (Some(truth), Some(upper)) = (truth, &statement.upper_squared) {
-            assert!(
-                *upper >= truth,
-                "σ² = {truth}, {statement:?}, {}",
-                text(curve)
-            );
+            assert!(*upper >= truth, "σ² = {truth}, {statement:?}, {}", text(curve));
         }
     }
     let lower = match &statement.lower_squared {
@@ -248,9 +231,7 @@ fn has_tangents(curve: &Curve) -> bool {
 
 /// So many cases, unless the environment asks for more.
 fn usual_cases(usual: u32) -> u32 {
-    let asked = std::env::var("PROPTEST_CASES")
-        .ok()
-        .and_then(|text| text.parse().ok());
+    let asked = std::env::var("PROPTEST_CASES").ok().and_then(|text| text.parse().ok());
     asked.unwrap_or(usual)
 }
 
@@ -298,11 +279,7 @@ fn pieces_agree(curve: &Curve) {
             assert_eq!(own, piece.point(k), "piece {i}, point {k}: {}", text(curve));
             if let Some(weights) = piece.weights().filter(|_| !piece.is_polynomial()) {
                 let ratio = Rational::new(weight.clone(), numbers.weights[0].clone());
-                assert_eq!(
-                    ratio,
-                    weights.get(k) / weights.get(0),
-                    "piece {i}, weight {k}"
-                );
+                assert_eq!(ratio, weights.get(k) / weights.get(0), "piece {i}, weight {k}");
             }
         }
     }
@@ -355,11 +332,7 @@ mod regressions {
 
     #[test]
     fn overlapping_sides() {
-        holds(&of(&[
-            &[[0, 0], [3, 0]],
-            &[[3, 0], [1, 0]],
-            &[[1, 0], [1, 2]],
-        ]));
+        holds(&of(&[&[[0, 0], [3, 0]], &[[3, 0], [1, 0]], &[[1, 0], [1, 2]]]));
     }
 
     #[test]

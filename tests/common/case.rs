@@ -82,32 +82,17 @@ impl Cases {
     }
 
     /// A certificate that does not.
-    pub fn reject(
-        &mut self,
-        name: &str,
-        certificate: &Certificate,
-        why: impl Fn(&Rejection) -> bool + 'static,
-    ) {
+    pub fn reject(&mut self, name: &str, certificate: &Certificate, why: impl Fn(&Rejection) -> bool + 'static) {
         self.push(name, certificate.json(), Expected::Rejected(Box::new(why)));
     }
 
     /// The same, as a file.
-    pub fn reject_bytes(
-        &mut self,
-        name: &str,
-        bytes: Vec<u8>,
-        why: impl Fn(&Rejection) -> bool + 'static,
-    ) {
+    pub fn reject_bytes(&mut self, name: &str, bytes: Vec<u8>, why: impl Fn(&Rejection) -> bool + 'static) {
         self.push(name, bytes, Expected::Rejected(Box::new(why)));
     }
 
     /// A file that is no certificate.
-    pub fn malformed(
-        &mut self,
-        name: &str,
-        bytes: Vec<u8>,
-        why: impl Fn(&FormatError) -> bool + 'static,
-    ) {
+    pub fn malformed(&mut self, name: &str, bytes: Vec<u8>, why: impl Fn(&FormatError) -> bool + 'static) {
         self.push(name, bytes, Expected::Malformed(Box::new(why)));
     }
 

@@ -30,27 +30,19 @@ pub fn bezier(pieces: Value) -> Value {
 /// A chain of straight pieces through the given points.
 pub fn polygon(vertices: Value) -> Value {
     let vertices = vertices.as_array().expect("a list of points").clone();
-    bezier(
-        vertices
-            .windows(2)
-            .map(|pair| json!([pair[0], pair[1]]))
-            .collect(),
-    )
+    bezier(vertices.windows(2).map(|pair| json!([pair[0], pair[1]])).collect())
 }
 
 /// The curve of a certificate's `curve` field.
 pub fn curve_of(curve: &Value) -> Option<Curve> {
     let mut file = curve.as_object()?.clone();
     file.insert("knotproof".into(), json!("curve/1"));
-    read_curve(Value::Object(file).to_string())
-        .ok()
-        .map(|file| file.curve)
+    read_curve(Value::Object(file).to_string()).ok().map(|file| file.curve)
 }
 
 /// The certificate's `curve` field of a curve.
 pub fn field_of(curve: &Curve) -> Value {
-    let file: Map<String, Value> =
-        serde_json::from_str(&knotproof::curve::write_curve(curve, None)).expect("JSON");
+    let file: Map<String, Value> = serde_json::from_str(&knotproof::curve::write_curve(curve, None)).expect("JSON");
     file.into_iter()
         .filter(|(key, _)| key == "bspline" || key == "bezier")
         .collect::<Map<_, _>>()
@@ -140,10 +132,7 @@ impl Certificate {
         let Some(curve) = curve_of(&self.0["curve"]) else {
             return self;
         };
-        let hash: String = curve_sha256(&curve)
-            .iter()
-            .map(|byte| format!("{byte:02x}"))
-            .collect();
+        let hash: String = curve_sha256(&curve).iter().map(|byte| format!("{byte:02x}")).collect();
         self.with("/curve_sha256", json!(hash))
     }
 
@@ -171,8 +160,7 @@ impl Certificate {
             write_token(&token, document.curve.dimension(), &mut tree);
         }
         let mut bytes = Vec::new();
-        write(&document, Cursor::new(tree), Encoding::Binary, &mut bytes)
-            .expect("writes to memory");
+        write(&document, Cursor::new(tree), Encoding::Binary, &mut bytes).expect("writes to memory");
         bytes
     }
 }

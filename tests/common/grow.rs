@@ -18,8 +18,7 @@ fn leaves(dimension: usize) -> Vec<String> {
         .map(|factors| format!("bend {factors}"))
         .into();
     list.extend(
-        ["-1 0", "1 0", "0 -1", "0 1", "-1 -1", "1 1", "-1 1", "1 -1"]
-            .map(|factors| format!("not_normal {factors}")),
+        ["-1 0", "1 0", "0 -1", "0 1", "-1 -1", "1 1", "-1 1", "1 -1"].map(|factors| format!("not_normal {factors}")),
     );
     let range = if dimension == 2 { -3..=3 } else { -1..=1 };
     let mut vectors: Vec<Vec<i32>> = vec![Vec::new()];
@@ -32,10 +31,11 @@ fn leaves(dimension: usize) -> Vec<String> {
     vectors.retain(|v| v.iter().any(|x| *x != 0));
     vectors.sort_by_key(|v| v.iter().map(|x| x * x).sum::<i32>());
     for rule in ["cone", "far"] {
-        list.extend(vectors.iter().map(|v| {
-            v.iter()
-                .fold(rule.to_string(), |text, x| format!("{text} {x}"))
-        }));
+        list.extend(
+            vectors
+                .iter()
+                .map(|v| v.iter().fold(rule.to_string(), |text, x| format!("{text} {x}"))),
+        );
     }
     list
 }
@@ -96,17 +96,11 @@ pub fn grow(certificate: &Certificate, divide: impl Fn(&[Node; 2]) -> bool) -> C
 /// As [`grow`], with the number of the leaf for a pair of nodes, which is not hidden in a leaf for more.
 pub fn grow_with_leaf(certificate: &Certificate, wish: [Node; 2]) -> (Certificate, usize) {
     let curve = curve_of(&certificate.0["curve"]).expect("a curve");
-    let elements = elements(
-        &curve,
-        certificate.0["statement"]["convention"] == "critical",
-    );
+    let elements = elements(&curve, certificate.0["statement"]["convention"] == "critical");
     let above = |pair: &[Node; 2]| {
-        *pair != wish
-            && holds(&elements, &pair[0], &wish[0])
-            && holds(&elements, &pair[1], &wish[1])
+        *pair != wish && holds(&elements, &pair[0], &wish[0]) && holds(&elements, &pair[1], &wish[1])
     };
     let grown = grow(certificate, above);
-    let leaf = super::tree::leaf_for(&elements, &grown.tokens(), |pair| *pair == wish)
-        .expect("a leaf for the pair");
+    let leaf = super::tree::leaf_for(&elements, &grown.tokens(), |pair| *pair == wish).expect("a leaf for the pair");
     (grown, leaf)
 }

@@ -9,10 +9,7 @@ fn sub(a: &[Rational], b: &[Rational]) -> Vector {
 }
 
 fn dot(a: &[Rational], b: &[Rational]) -> Rational {
-    a.iter()
-        .zip(b)
-        .map(|(x, y)| x * y)
-        .fold(number(0), |sum, x| sum + x)
+    a.iter().zip(b).map(|(x, y)| x * y).fold(number(0), |sum, x| sum + x)
 }
 
 fn along(p: &[Rational], s: &Rational, d: &[Rational]) -> Vector {
@@ -37,10 +34,7 @@ pub struct Polygon {
 impl Polygon {
     /// From its vertices.
     pub fn new(vertices: &[Vector]) -> Self {
-        let sides = vertices
-            .windows(2)
-            .map(|pair| sub(&pair[1], &pair[0]))
-            .collect();
+        let sides = vertices.windows(2).map(|pair| sub(&pair[1], &pair[0])).collect();
         let closed = vertices.first() == vertices.last();
         Polygon {
             starts: vertices[..vertices.len() - 1].to_vec(),
@@ -60,11 +54,7 @@ impl Polygon {
         if critical {
             let vertices = self.vertices();
             for (k, vertex) in vertices.iter().enumerate() {
-                lengths.extend(
-                    vertices[k + 1..]
-                        .iter()
-                        .filter_map(|other| vertex.with_vertex(other)),
-                );
+                lengths.extend(vertices[k + 1..].iter().filter_map(|other| vertex.with_vertex(other)));
                 let feet = |i: usize| vertex.with_side(&self.starts[i], &self.sides[i], i);
                 lengths.extend((0..self.sides.len()).filter_map(feet));
             }
@@ -79,12 +69,7 @@ impl Polygon {
 
     /// The length² of a chord orthogonal to both sides (all such chords between two sides are equally long).
     fn between_sides(&self, i: usize, j: usize) -> Option<Rational> {
-        let (p, d, q, e) = (
-            &self.starts[i],
-            &self.sides[i],
-            &self.starts[j],
-            &self.sides[j],
-        );
+        let (p, d, q, e) = (&self.starts[i], &self.sides[i], &self.starts[j], &self.sides[j]);
         let x = sub(p, q);
         let (dd, de, ee) = (dot(d, d), dot(d, e), dot(e, e));
         let (xd, xe) = (dot(&x, d), dot(&x, e));
@@ -105,11 +90,7 @@ impl Polygon {
         // Parallel sides: do their projections to the common direction overlap?
         let onto = |point: &[Rational]| dot(&sub(point, p), d) / &dd;
         let (start, end) = (onto(q), onto(&along(q, &number(1), e)));
-        let (low, high) = if start <= end {
-            (start, end)
-        } else {
-            (end, start)
-        };
+        let (low, high) = if start <= end { (start, end) } else { (end, start) };
         let (from, to) = (low.max(number(0)), high.min(number(1)));
         if from > to {
             return None;
@@ -184,12 +165,7 @@ impl Vertex<'_> {
     }
 
     /// The chord to the foot on a side the vertex is not on.
-    fn with_side(
-        &self,
-        start: &[Rational],
-        side: &[Rational],
-        number_of_side: usize,
-    ) -> Option<Rational> {
+    fn with_side(&self, start: &[Rational], side: &[Rational], number_of_side: usize) -> Option<Rational> {
         let own = |part: Option<(usize, &Vector)>| part.is_some_and(|(i, _)| i == number_of_side);
         if own(self.before) || own(self.after) {
             return None;
@@ -227,10 +203,7 @@ mod tests {
         let bow: [&[i64]; 4] = [&[-1, -1], &[1, 1], &[1, -1], &[-1, 1]];
         assert_eq!(squared(&bow, false), Some(number(0)));
         let line: [&[i64]; 3] = [&[0, 0, 0], &[1, 1, 2], &[3, 3, 6]];
-        assert_eq!(
-            [false, true].map(|critical| squared(&line, critical)),
-            [None, None]
-        );
+        assert_eq!([false, true].map(|critical| squared(&line, critical)), [None, None]);
         let folded: [&[i64]; 3] = [&[0, 0], &[3, 0], &[1, 0]];
         assert_eq!(squared(&folded, false), Some(number(0)));
         // Skew sides at distance 2.

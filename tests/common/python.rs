@@ -19,9 +19,7 @@ pub struct Answer {
 /// Its answers on files of these contents.
 pub fn check_bytes(files: &[&[u8]]) -> Vec<Answer> {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let paths: Vec<PathBuf> = (0..files.len())
-        .map(|i| folder.path().join(format!("{i}")))
-        .collect();
+    let paths: Vec<PathBuf> = (0..files.len()).map(|i| folder.path().join(format!("{i}"))).collect();
     for (path, bytes) in paths.iter().zip(files) {
         std::fs::write(path, bytes).expect("writes a temporary file");
     }
@@ -41,13 +39,14 @@ fn run(paths: &[PathBuf]) -> Vec<Answer> {
         .arg("--json")
         .args(paths)
         .output()
-        .unwrap_or_else(|error| panic!("these tests run the second checker with `python3` (3.11 or newer), which did not start: {error}"));
+        .unwrap_or_else(|error| {
+            panic!("these tests run the second checker with `python3` (3.11 or newer), which did not start: {error}")
+        });
     let text = String::from_utf8_lossy(&output.stdout);
     let answers: Vec<Answer> = text
         .lines()
         .map(|line| {
-            let report: Value =
-                serde_json::from_str(line).unwrap_or_else(|_| panic!("check.py printed {line:?}"));
+            let report: Value = serde_json::from_str(line).unwrap_or_else(|_| panic!("check.py printed {line:?}"));
             Answer {
                 accepted: report["verdict"] == "accepted",
                 reason: format!("{} {}", report["verdict"], report["reason"]),

@@ -23,11 +23,7 @@ pub enum Node {
     /// A point element.
     Point(Element),
     /// A part of a piece: its index among the 2^depth parts.
-    Part {
-        piece: usize,
-        index: u128,
-        depth: u32,
-    },
+    Part { piece: usize, index: u128, depth: u32 },
 }
 
 /// The elements of a curve.
@@ -71,11 +67,7 @@ fn halves(elements: &[Element], node: Node) -> [Node; 2] {
             [of_elements(elements, a, m), of_elements(elements, m, b)]
         }
         Node::Point(_) => panic!("a point element is not split"),
-        Node::Part {
-            piece,
-            index,
-            depth,
-        } => [2 * index, 2 * index + 1].map(|index| Node::Part {
+        Node::Part { piece, index, depth } => [2 * index, 2 * index + 1].map(|index| Node::Part {
             piece,
             index,
             depth: depth + 1,
@@ -100,8 +92,7 @@ impl<'e> Stack<'e> {
 
     /// The next pair that wants a token.
     fn next(&mut self) -> Option<[Node; 2]> {
-        let is_skipped =
-            |pair: &[Node; 2]| matches!(pair, [Node::Point(p), Node::Point(q)] if p == q);
+        let is_skipped = |pair: &[Node; 2]| matches!(pair, [Node::Point(p), Node::Point(q)] if p == q);
         while self.pairs.last().is_some_and(is_skipped) {
             self.pairs.pop();
         }
@@ -112,8 +103,7 @@ impl<'e> Stack<'e> {
         match token {
             "split" => {
                 let [left, right] = halves(self.elements, a);
-                self.pairs
-                    .extend([[right, right], [left, right], [left, left]]);
+                self.pairs.extend([[right, right], [left, right], [left, left]]);
             }
             "first" => self
                 .pairs
@@ -161,11 +151,7 @@ pub fn holds(elements: &[Element], node: &Node, inner: &Node) -> bool {
         (Node::Run(a, b), Node::Run(c, d)) => a <= c && d <= b,
         (Node::Run(a, b), _) => of_run(*a, *b),
         (
-            Node::Part {
-                piece,
-                index,
-                depth,
-            },
+            Node::Part { piece, index, depth },
             Node::Part {
                 piece: p,
                 index: i,
@@ -177,15 +163,8 @@ pub fn holds(elements: &[Element], node: &Node, inner: &Node) -> bool {
 }
 
 /// The number of the leaf token for a pair of nodes that the function recognises, the last one if there are several.
-pub fn leaf_for<S: AsRef<str>>(
-    elements: &[Element],
-    tokens: &[S],
-    wish: impl Fn(&[Node; 2]) -> bool,
-) -> Option<usize> {
+pub fn leaf_for<S: AsRef<str>>(elements: &[Element], tokens: &[S], wish: impl Fn(&[Node; 2]) -> bool) -> Option<usize> {
     let leaf = |i: &usize| !matches!(tokens[*i].as_ref(), "split" | "first" | "second");
     let pairs = pairs(elements, tokens);
-    (0..tokens.len())
-        .rev()
-        .filter(leaf)
-        .find(|i| wish(&pairs[*i]))
+    (0..tokens.len()).rev().filter(leaf).find(|i| wish(&pairs[*i]))
 }

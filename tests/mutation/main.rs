@@ -32,10 +32,7 @@ struct Tally {
 
 impl Tally {
     fn new(name: &str, bytes: &[u8], known: [Enclosure; 2]) -> Self {
-        let Verdict::Accepted {
-            document: original, ..
-        } = check(bytes)
-        else {
+        let Verdict::Accepted { document: original, .. } = check(bytes) else {
             panic!("{name} is accepted")
         };
         let tally = Tally {
@@ -64,9 +61,8 @@ impl Tally {
                 } else {
                     let recompute = || recomputed(&document.curve, document.statement.convention);
                     let known = std::panic::catch_unwind(recompute);
-                    let known = known.unwrap_or_else(|_| {
-                        panic!("{}: {what}: {}", self.name, String::from_utf8_lossy(&bytes))
-                    });
+                    let known =
+                        known.unwrap_or_else(|_| panic!("{}: {what}: {}", self.name, String::from_utf8_lossy(&bytes)));
                     is_true(&document, &known)
                 };
                 assert!(
@@ -83,12 +79,7 @@ impl Tally {
     /// The second checker on all accepted mutants and on one in `sample` of the rejected.
     fn agree(self, sample: usize) {
         let (accepted, rejected) = (self.accepted.len(), self.rejected.len());
-        let few: Vec<&[u8]> = self
-            .rejected
-            .iter()
-            .step_by(sample)
-            .map(Vec::as_slice)
-            .collect();
+        let few: Vec<&[u8]> = self.rejected.iter().step_by(sample).map(Vec::as_slice).collect();
         let all: Vec<&[u8]> = self.accepted.iter().map(Vec::as_slice).chain(few).collect();
         for (i, answer) in python::check_bytes(&all).into_iter().enumerate() {
             assert_eq!(
@@ -115,10 +106,7 @@ fn mutate_json(tally: &mut Tally, certificate: &Certificate) {
     for pointer in places {
         let value = certificate.0.pointer(&pointer).expect("there");
         for other in other_values(value) {
-            let what = format!(
-                "{pointer}: {}",
-                other.to_string().chars().take(80).collect::<String>()
-            );
+            let what = format!("{pointer}: {}", other.to_string().chars().take(80).collect::<String>());
             let mutant = certificate.clone().with(&pointer, other);
             if pointer.starts_with("/curve/") {
                 tally.judge(mutant.clone().rehashed().json(), &what);
@@ -184,8 +172,7 @@ fn both(bytes: &[u8]) -> [Enclosure; 2] {
     let Verdict::Accepted { document, .. } = check(bytes) else {
         panic!("accepted")
     };
-    [Convention::Smooth, Convention::Critical]
-        .map(|convention| recomputed(&document.curve, convention))
+    [Convention::Smooth, Convention::Critical].map(|convention| recomputed(&document.curve, convention))
 }
 
 fn exactly(squared: i64) -> [Enclosure; 2] {
@@ -255,19 +242,9 @@ fn polygons() {
         None,
         10,
     );
-    run(
-        "ends",
-        &hand_made("not_normal", "ends-leaning-out"),
-        None,
-        20,
-    );
+    run("ends", &hand_made("not_normal", "ends-leaning-out"), None, 20);
     run("touch", &hand_made("touch", "two-joints"), None, 10);
-    run(
-        "crossing",
-        &hand_made("crossing", "two-diagonals"),
-        None,
-        10,
-    );
+    run("crossing", &hand_made("crossing", "two-diagonals"), None, 10);
     run(
         "critical root",
         &hand_made("critical_root", "ends-behind-each-other"),
@@ -285,18 +262,8 @@ fn polygons() {
 #[test]
 fn curved() {
     run("lens", &hand_made("miranda", "mixed-factors"), None, 10);
-    run(
-        "circle",
-        &hand_made("root", "rational-inside"),
-        Some(exactly(4)),
-        10,
-    );
-    run(
-        "parabola",
-        &proved("parabola.json", Convention::Critical, 3),
-        None,
-        10,
-    );
+    run("circle", &hand_made("root", "rational-inside"), Some(exactly(4)), 10);
+    run("parabola", &proved("parabola.json", Convention::Critical, 3), None, 10);
 }
 
 #[test]
@@ -325,21 +292,9 @@ fn known_to_forty_digits() {
 
 #[test]
 fn bytes() {
-    run_binary(
-        "channel",
-        &subjects::channel().upper("9", subjects::channel_root()),
-        10,
-    );
-    run_binary(
-        "parabola",
-        &proved("parabola.json", Convention::Smooth, 3),
-        10,
-    );
-    run_binary(
-        "square",
-        &proved("square.json", Convention::Critical, 3),
-        10,
-    );
+    run_binary("channel", &subjects::channel().upper("9", subjects::channel_root()), 10);
+    run_binary("parabola", &proved("parabola.json", Convention::Smooth, 3), 10);
+    run_binary("square", &proved("square.json", Convention::Critical, 3), 10);
 }
 
 #[test]

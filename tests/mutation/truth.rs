@@ -27,9 +27,10 @@ pub fn vertices(curve: &Curve) -> Option<Vec<Vec<Rational>>> {
     let Form::Bezier(pieces) = curve.form() else {
         return None;
     };
-    if pieces.iter().any(|piece| {
-        piece.degree() != 1 || !piece.is_polynomial() || piece.point(0) == piece.point(1)
-    }) {
+    if pieces
+        .iter()
+        .any(|piece| piece.degree() != 1 || !piece.is_polynomial() || piece.point(0) == piece.point(1))
+    {
         return None;
     }
     let mut vertices = vec![pieces[0].point(0)];
@@ -52,10 +53,7 @@ pub fn recomputed(curve: &Curve, convention: Convention) -> Enclosure {
         budget: Some(3000),
         ..Options::default()
     };
-    let found = certify(curve, &options, &|_| ())
-        .expect("certifies")
-        .document
-        .statement;
+    let found = certify(curve, &options, &|_| ()).expect("certifies").document.statement;
     let lower = match found.lower_squared {
         Lower::Infinite => None,
         Lower::Finite(lower) => Some(lower),

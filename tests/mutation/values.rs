@@ -35,13 +35,11 @@ pub fn other_strings(text: &str) -> BTreeSet<String> {
             number.numer() + number.numer(),
             number.denom() + number.denom()
         ));
-        others
-            .insert(Rational::new_raw(number.denom().clone(), number.numer().clone()).to_string());
+        others.insert(Rational::new_raw(number.denom().clone(), number.numer().clone()).to_string());
     } else {
         others.extend(
             [
-                "split", "first", "second", "smooth", "critical", "before", "after", "root",
-                "touch", "miranda",
+                "split", "first", "second", "smooth", "critical", "before", "after", "root", "touch", "miranda",
             ]
             .map(String::from),
         );
@@ -88,14 +86,7 @@ pub fn other_strings(text: &str) -> BTreeSet<String> {
 
 /// All values that stand for one value of the document, in turn.
 pub fn other_values(value: &Value) -> Vec<Value> {
-    let mut others = vec![
-        Value::Null,
-        json!([]),
-        json!({}),
-        json!(true),
-        json!(0),
-        json!("0"),
-    ];
+    let mut others = vec![Value::Null, json!([]), json!({}), json!(true), json!(0), json!("0")];
     match value {
         Value::String(text) => others.extend(other_strings(text).into_iter().map(Value::String)),
         Value::Number(number) => {

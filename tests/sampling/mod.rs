@@ -39,15 +39,12 @@ impl FloatCurve {
     /// In floating point.
     pub fn new(curve: &Curve) -> Self {
         let chain = curve.chain();
-        let padded = |point: &[Rational]| -> Vector {
-            std::array::from_fn(|i| point.get(i).map_or(0.0, RationalExt::to_f64))
-        };
+        let padded =
+            |point: &[Rational]| -> Vector { std::array::from_fn(|i| point.get(i).map_or(0.0, RationalExt::to_f64)) };
         let pieces = chain.pieces().iter().map(|piece| {
             (0..=piece.degree())
                 .map(|k| {
-                    let w = piece
-                        .weights()
-                        .map_or(1.0, |weights| weights.get(k).to_f64());
+                    let w = piece.weights().map_or(1.0, |weights| weights.get(k).to_f64());
                     let [x, y, z] = padded(&piece.point(k));
                     [x * w, y * w, z * w, w]
                 })
@@ -105,11 +102,7 @@ impl FloatCurve {
         };
         let first = difference(points, n as f64);
         let second = difference(&first, n as f64 - 1.0);
-        let [a, b, c] = [
-            casteljau(points.clone()),
-            casteljau(first),
-            casteljau(second),
-        ];
+        let [a, b, c] = [casteljau(points.clone()), casteljau(first), casteljau(second)];
         let (w, w1, w2) = (a[3], b[3], c[3]);
         let p: Vector = std::array::from_fn(|i| a[i] / w);
         let p1: Vector = std::array::from_fn(|i| (b[i] - w1 * p[i]) / w);
@@ -168,8 +161,7 @@ impl FloatCurve {
                 let (length, speed) = (norm(&x), norm(&p1).min(norm(&q1)));
                 let apart = s.0 != t.0 || (s.1 - t.1).abs() > 1e-3;
                 let converged = f.abs() + g.abs() < 1e-10 * length * speed;
-                return (apart && length > 1e-3 && speed > 1e-3 && converged)
-                    .then_some((length, [s, t]));
+                return (apart && length > 1e-3 && speed > 1e-3 && converged).then_some((length, [s, t]));
             }
         }
         None

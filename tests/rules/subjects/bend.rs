@@ -16,11 +16,7 @@ pub fn cases() -> Vec<Case> {
         "right-angle-huge-factors",
         &corner(&format!("3{0} 4{0}", "0".repeat(900))),
     );
-    cases.reject(
-        "zero-witness",
-        &corner("0 0"),
-        expecting("bend", "α, β not both 0"),
-    );
+    cases.reject("zero-witness", &corner("0 0"), expecting("bend", "α, β not both 0"));
     for factors in ["-1 -1", "1 0", "0 1", "1 -1", "-1 1"] {
         cases.reject(
             &format!("right-angle-{}", factors.replace(' ', "-")),
@@ -40,11 +36,7 @@ pub fn cases() -> Vec<Case> {
             .lower("inf", &["split", "cone 1 0", "bend 1 1", "cone -1 0"])
     };
     cases.accept("turn-by-nearly-180-degrees", &turn("2/10001", "200/10001"));
-    cases.reject(
-        "turn-by-180-degrees",
-        &turn("0", "0"),
-        obligation_at("bend", 2),
-    );
+    cases.reject("turn-by-180-degrees", &turn("0", "0"), obligation_at("bend", 2));
     cases.reject(
         "turn-by-180-degrees-shorter",
         &turn("1/2", "0").token(2, "bend 1 2"),
@@ -66,11 +58,7 @@ pub fn cases() -> Vec<Case> {
             "cone -1 1",
         ],
     );
-    cases.reject(
-        "crossing-sides",
-        &crossed,
-        expecting("bend", "adjacent nodes"),
-    );
+    cases.reject("crossing-sides", &crossed, expecting("bend", "adjacent nodes"));
     // Within one node: an arc with a control polygon that turns by 90° is no problem for β = 0, one that turns by 180° is.
     let arc = |points| Certificate::new(bezier(json!([points]))).lower("inf", &["bend 1 0"]);
     cases.accept("one-node", &arc(json!([[0, 0], [2, 0], [3, 1]])));
@@ -104,14 +92,8 @@ pub fn cases() -> Vec<Case> {
     let straight = polygon(json!([[0, 0], [1, 0], [2, 0], [3, 0], [4, 0]]));
     let run = |leaf: &str| Certificate::new(straight.clone()).lower("inf", &[leaf]);
     cases.accept("run-under-cone", &run("cone 1 0"));
-    cases.reject(
-        "run-with-itself",
-        &run("bend 1 0"),
-        obligation_at("bend", 0),
-    );
-    let halves = |leaf: &str| {
-        Certificate::new(straight.clone()).lower("inf", &["split", "cone 1 0", leaf, "cone 1 0"])
-    };
+    cases.reject("run-with-itself", &run("bend 1 0"), obligation_at("bend", 0));
+    let halves = |leaf: &str| Certificate::new(straight.clone()).lower("inf", &["split", "cone 1 0", leaf, "cone 1 0"]);
     cases.accept("two-runs-under-cone", &halves("cone 1 0"));
     cases.reject("two-runs", &halves("bend 1 1"), obligation_at("bend", 2));
 
@@ -123,10 +105,7 @@ pub fn cases() -> Vec<Case> {
             .token(token, leaf)
     };
     cases.accept("end-against-its-piece", &segment(2, "bend 1 0"));
-    cases.accept(
-        "end-against-its-piece-by-the-piece",
-        &segment(2, "bend 0 1"),
-    );
+    cases.accept("end-against-its-piece-by-the-piece", &segment(2, "bend 0 1"));
     cases.accept("end-against-its-piece-both", &segment(2, "bend 3 -1"));
     cases.reject(
         "negative-factor-at-the-start",
@@ -155,10 +134,7 @@ pub fn cases() -> Vec<Case> {
         depth: 0,
     };
     let (grown, leaf) = grow_with_leaf(&corners, [Node::Point(Element::Corner(1)), part(1)]);
-    cases.accept(
-        "corner-against-its-next-piece",
-        &grown.clone().token(leaf, "bend 0 1"),
-    );
+    cases.accept("corner-against-its-next-piece", &grown.clone().token(leaf, "bend 0 1"));
     cases.reject(
         "corner-against-its-next-piece-by-the-corner",
         &grown.token(leaf, "bend 1 0"),

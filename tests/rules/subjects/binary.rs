@@ -28,30 +28,15 @@ pub fn cases() -> Vec<Case> {
         with_tail(&without_tree, &[0]),
         |rejection| rejection.reason == Reason::TokensLeft,
     );
-    for (name, length) in [
-        ("magic", 7),
-        ("length", 10),
-        ("header", 100),
-        ("curve", curve + 9),
-    ] {
-        cases.malformed(
-            &format!("truncated-{name}"),
-            plain[..length].to_vec(),
-            |_| true,
-        );
+    for (name, length) in [("magic", 7), ("length", 10), ("header", 100), ("curve", curve + 9)] {
+        cases.malformed(&format!("truncated-{name}"), plain[..length].to_vec(), |_| true);
     }
-    cases.reject_bytes("truncated-tree", plain[..plain.len() - 1].to_vec(), |_| {
-        true
-    });
-    cases.reject_bytes("truncated-before-the-tree", plain[..tree].to_vec(), |_| {
-        true
-    });
+    cases.reject_bytes("truncated-tree", plain[..plain.len() - 1].to_vec(), |_| true);
+    cases.reject_bytes("truncated-before-the-tree", plain[..tree].to_vec(), |_| true);
     cases.reject_bytes("trailing-byte", with_tail(&plain, &[0]), |rejection| {
         rejection.reason == Reason::TokensLeft
     });
-    cases.reject_bytes("trailing-unknown-byte", with_tail(&plain, &[0xff]), |_| {
-        true
-    });
+    cases.reject_bytes("trailing-unknown-byte", with_tail(&plain, &[0xff]), |_| true);
     cases.reject_bytes("trailing-copy", with_tail(&plain, &plain), |_| true);
     let edited = |place: usize, byte: u8| {
         let mut bytes = plain.clone();
@@ -94,11 +79,9 @@ pub fn cases() -> Vec<Case> {
     let with_far = |far: &[u8]| tokens(&[&split[..8], far, &split[9..]].concat());
     cases.accept_bytes("long-spelling-of-a-unit-vector", with_far(&[0x03, 0, 1]));
     cases.reject_bytes("unit-vector-of-another-axis", with_far(&[0x11]), |_| true);
-    cases.reject_bytes(
-        "unit-vector-of-the-third-axis-in-the-plane",
-        with_far(&[0x14]),
-        |_| true,
-    );
+    cases.reject_bytes("unit-vector-of-the-third-axis-in-the-plane", with_far(&[0x14]), |_| {
+        true
+    });
     cases.reject_bytes("zero-vector", with_far(&[0x03, 0, 0]), |_| true);
     cases.reject_bytes("padded-zero", with_far(&[0x03, 0x80, 0, 1]), |_| true);
     cases.reject_bytes("padded-witness", with_far(&[0x03, 0, 0x81, 0]), |_| true);
@@ -106,8 +89,7 @@ pub fn cases() -> Vec<Case> {
     cases.reject_bytes("code-0x24", with_far(&[0x24]), |_| true);
     let witness = |bits: usize| {
         // The signed varint of 1 − 2^bits, which is negative: 2^(bits+1) − 3.
-        let value = knotproof::number::Integer::from(2).pow(bits as u32 + 1)
-            - knotproof::number::Integer::from(3);
+        let value = knotproof::number::Integer::from(2).pow(bits as u32 + 1) - knotproof::number::Integer::from(3);
         let mut bytes = vec![0x03, 0];
         knotproof::claim::tree::write_varint(&value, &mut bytes);
         bytes
@@ -127,12 +109,7 @@ pub fn cases() -> Vec<Case> {
         .expect("the short code of not_normal -1 0");
     cases.accept_bytes(
         "long-spelling-of-factors",
-        [
-            &not_normal[..short],
-            &[0x04, 1, 0],
-            &not_normal[short + 1..],
-        ]
-        .concat(),
+        [&not_normal[..short], &[0x04, 1, 0], &not_normal[short + 1..]].concat(),
     );
     cases.reject_bytes(
         "other-short-factors",
@@ -165,10 +142,7 @@ pub fn cases() -> Vec<Case> {
     );
     cases.malformed(
         "curve-in-the-header",
-        header(
-            "\"curve\": \"binary\"",
-            "\"curve\": { \"bezier\": { \"pieces\": [] } }",
-        ),
+        header("\"curve\": \"binary\"", "\"curve\": { \"bezier\": { \"pieces\": [] } }"),
         |_| true,
     );
     cases.reject_bytes(
@@ -176,20 +150,9 @@ pub fn cases() -> Vec<Case> {
         header("\"tree\": \"binary\"", "\"tree\": null"),
         |_| true,
     );
-    cases.malformed(
-        "version-2",
-        header("certificate/1", "certificate/2"),
-        |_| true,
-    );
-    let hash = json!(channel().0["curve_sha256"])
-        .as_str()
-        .expect("a hash")
-        .to_string();
-    cases.malformed(
-        "hash-of-another-curve",
-        header(&hash, &"0".repeat(64)),
-        |_| true,
-    );
+    cases.malformed("version-2", header("certificate/1", "certificate/2"), |_| true);
+    let hash = json!(channel().0["curve_sha256"]).as_str().expect("a hash").to_string();
+    cases.malformed("hash-of-another-curve", header(&hash, &"0".repeat(64)), |_| true);
     cases.list()
 }
 

@@ -16,8 +16,7 @@ fn returning(last: [i64; 2]) -> Value {
 
 /// A tree up to the pair of pieces 0 and 3, token 9, that touch in the origin without being adjacent.
 const RETURNING: [&str; 10] = [
-    "split", "split", "cone 2 1", "cone 4 1", "cone 1 0", "first", "second", "far -3 4", "second",
-    "cone 1 1",
+    "split", "split", "cone 2 1", "cone 4 1", "cone 1 0", "first", "second", "far -3 4", "second", "cone 1 1",
 ];
 
 /// Cases of the rule.
@@ -28,16 +27,8 @@ pub fn cases() -> Vec<Case> {
         "huge-witness",
         &step().token(3, &format!("cone 2{0} 1{0}", "0".repeat(1000))),
     );
-    cases.reject(
-        "zero-witness",
-        &step().token(3, "cone 0 0"),
-        expecting("cone", "n ≠ 0"),
-    );
-    cases.reject(
-        "backwards",
-        &step().token(3, "cone -2 -1"),
-        obligation_at("cone", 3),
-    );
+    cases.reject("zero-witness", &step().token(3, "cone 0 0"), expecting("cone", "n ≠ 0"));
+    cases.reject("backwards", &step().token(3, "cone -2 -1"), obligation_at("cone", 3));
     cases.reject(
         "not-adjacent",
         &step().token(4, "cone 1 0"),

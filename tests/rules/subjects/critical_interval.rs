@@ -21,9 +21,7 @@ const ALONG: [i64; 2] = [-4, 3];
 /// Cases of the rule.
 pub fn cases() -> Vec<Case> {
     let mut cases = Cases::new("critical_interval");
-    let on = |curve: Value, upper: &str, rule: Value| {
-        Certificate::new(curve).critical().upper(upper, rule)
-    };
+    let on = |curve: Value, upper: &str, rule: Value| Certificate::new(curve).critical().upper(upper, rule);
     let altitude = |s: &str, t, regular| on(triangle(), "25/4", rule(s, t, regular));
     cases.accept("altitude", &altitude("0", J, ALONG));
     cases.reject(
@@ -34,10 +32,7 @@ pub fn cases() -> Vec<Case> {
     cases.reject(
         "bound-below",
         &on(triangle(), "156/25", rule("0", J, ALONG)),
-        expecting(
-            "critical_interval",
-            "upper_squared ≥ |E−q|² for all hull points",
-        ),
+        expecting("critical_interval", "upper_squared ≥ |E−q|² for all hull points"),
     );
     cases.reject(
         "not-a-corner",
@@ -49,26 +44,12 @@ pub fn cases() -> Vec<Case> {
         &altitude("3", J, ALONG),
         expecting("critical_interval", "a parameter of the curve"),
     );
-    let regular = expecting(
-        "critical_interval",
-        "m·w > 0 for all tangents of the interval",
-    );
+    let regular = expecting("critical_interval", "m·w > 0 for all tangents of the interval");
     cases.reject("zero-witness", &altitude("0", J, [0, 0]), regular.clone());
     cases.reject("witness-reversed", &altitude("0", J, [4, -3]), regular);
-    let signs = expecting(
-        "critical_interval",
-        "opposite signs at the ends of the interval",
-    );
-    cases.reject(
-        "foot-outside",
-        &altitude("0", ["3/2", "8/5"], ALONG),
-        signs.clone(),
-    );
-    cases.reject(
-        "foot-on-the-edge",
-        &altitude("0", ["3/2", "41/25"], ALONG),
-        signs,
-    );
+    let signs = expecting("critical_interval", "opposite signs at the ends of the interval");
+    cases.reject("foot-outside", &altitude("0", ["3/2", "8/5"], ALONG), signs.clone());
+    cases.reject("foot-on-the-edge", &altitude("0", ["3/2", "41/25"], ALONG), signs);
     let interval = expecting("critical_interval", "an interval of the curve");
     cases.reject(
         "reversed-interval",
@@ -82,16 +63,8 @@ pub fn cases() -> Vec<Case> {
         expecting("critical_interval", "no corner inside"),
     );
     let outside = expecting("critical_interval", "s outside the interval");
-    cases.reject(
-        "s-inside",
-        &altitude("1", ["3/4", "7/4"], ALONG),
-        outside.clone(),
-    );
-    cases.reject(
-        "s-at-the-edge",
-        &altitude("1", ["1", "3/2"], ALONG),
-        outside.clone(),
-    );
+    cases.reject("s-inside", &altitude("1", ["3/4", "7/4"], ALONG), outside.clone());
+    cases.reject("s-at-the-edge", &altitude("1", ["1", "3/2"], ALONG), outside.clone());
     cases.reject(
         "s-inside-modulo-the-period",
         &altitude("0", ["5/2", "13/4"], [0, -1]),
@@ -103,10 +76,7 @@ pub fn cases() -> Vec<Case> {
         outside,
     );
 
-    let not = expecting(
-        "critical_interval",
-        "a chord critical at s for all of the interval",
-    );
+    let not = expecting("critical_interval", "a chord critical at s for all of the interval");
     // A blunt corner below its foot: the chord is critical at the corner as long as it stays within the wedge of normals.
     let blunt = polygon(json!([[0, 0], [4, 1], [4, 4], [-4, 4], [-4, 1], [0, 0]]));
     let corner = |t| on(blunt.clone(), "25", rule("0", t, [-1, 0]));

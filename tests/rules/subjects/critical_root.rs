@@ -15,9 +15,7 @@ fn rule(s: &str, t: &str) -> Value {
 pub fn cases() -> Vec<Case> {
     let mut cases = Cases::new("critical_root");
     let on = |curve: &Value, s: &str, t: &str, upper: &str| {
-        Certificate::new(curve.clone())
-            .critical()
-            .upper(upper, rule(s, t))
+        Certificate::new(curve.clone()).critical().upper(upper, rule(s, t))
     };
     let channel = channel_curve();
     cases.accept("both-ends", &on(&channel, "0", "3", "9"));
@@ -34,11 +32,7 @@ pub fn cases() -> Vec<Case> {
         expecting("critical_root", "upper_squared ≥ |chord|²"),
     );
     let not = expecting("critical_root", "a critical chord");
-    cases.reject(
-        "slanted-chord",
-        &on(&channel, "1/3", "5/2", "10"),
-        not.clone(),
-    );
+    cases.reject("slanted-chord", &on(&channel, "1/3", "5/2", "10"), not.clone());
     cases.reject(
         "reversed",
         &on(&channel, "3", "0", "9"),
@@ -58,35 +52,20 @@ pub fn cases() -> Vec<Case> {
     // Open ends: critical when the other end of the chord lies behind.
     let ends = |end: i64| polygon(json!([[0, 0], [6, 0], [6, 9], [-7, 9], [-7, 3], [end, 3]]));
     cases.accept("ends-behind-each-other", &on(&ends(-1), "0", "5", "10"));
-    cases.reject(
-        "ends-before-each-other",
-        &on(&ends(1), "0", "5", "10"),
-        not.clone(),
-    );
+    cases.reject("ends-before-each-other", &on(&ends(1), "0", "5", "10"), not.clone());
     let hook = |end: i64| polygon(json!([[0, 0], [6, 0], [6, 3], [end, 3]]));
     cases.reject(
         "only-the-start-is-critical",
         &on(&hook(-1), "0", "3", "10"),
         not.clone(),
     );
-    cases.reject(
-        "neither-end-is-critical",
-        &on(&hook(1), "0", "3", "10"),
-        not.clone(),
-    );
+    cases.reject("neither-end-is-critical", &on(&hook(1), "0", "3", "10"), not.clone());
 
     // Corners: the two products have opposite signs, or one vanishes.
     let diamond = polygon(json!([[0, -1], [2, 0], [0, 1], [-2, 0], [0, -1]]));
     cases.accept("opposite-corners", &on(&diamond, "0", "2", "4"));
-    cases.accept(
-        "corners-of-the-long-diagonal",
-        &on(&diamond, "1", "3", "16"),
-    );
-    cases.reject(
-        "neighbouring-corners",
-        &on(&diamond, "0", "1", "5"),
-        not.clone(),
-    );
+    cases.accept("corners-of-the-long-diagonal", &on(&diamond, "1", "3", "16"));
+    cases.reject("neighbouring-corners", &on(&diamond, "0", "1", "5"), not.clone());
     let square = polygon(json!([[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]));
     cases.accept("corners-of-one-side", &on(&square, "0", "1", "1"));
     cases.reject(

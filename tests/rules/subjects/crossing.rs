@@ -35,27 +35,15 @@ pub fn cases() -> Vec<Case> {
         &with(rule(I, J, [1, 1], [-1, 1])),
         face.clone(),
     );
-    cases.reject(
-        "vectors-exchanged",
-        &with(rule(I, J, [1, -1], [1, 1])),
-        face.clone(),
-    );
+    cases.reject("vectors-exchanged", &with(rule(I, J, [1, -1], [1, 1])), face.clone());
     let dependent = expecting("crossing", "independent n₁, n₂");
     cases.reject(
         "dependent-vectors",
         &with(rule(I, J, [1, 1], [2, 2])),
         dependent.clone(),
     );
-    cases.reject(
-        "zero-witness",
-        &with(rule(I, J, [0, 0], [1, -1])),
-        dependent.clone(),
-    );
-    cases.reject(
-        "zero-witnesses",
-        &with(rule(I, J, [0, 0], [0, 0])),
-        dependent,
-    );
+    cases.reject("zero-witness", &with(rule(I, J, [0, 0], [1, -1])), dependent.clone());
+    cases.reject("zero-witnesses", &with(rule(I, J, [0, 0], [0, 0])), dependent);
     cases.reject(
         "no-crossing-inside",
         &with(rule(["5/8", "3/4"], J, [1, 1], [1, -1])),
@@ -89,21 +77,13 @@ pub fn cases() -> Vec<Case> {
         intervals,
     );
     let apart = expecting("crossing", "disjoint intervals in order");
-    cases.reject(
-        "intervals-exchanged",
-        &with(rule(J, I, [1, -1], [1, 1])),
-        apart.clone(),
-    );
+    cases.reject("intervals-exchanged", &with(rule(J, I, [1, -1], [1, 1])), apart.clone());
     cases.reject(
         "intervals-that-touch",
         &with(rule(["1/2", "1"], ["1", "3/2"], [1, 1], [1, -1])),
         apart.clone(),
     );
-    cases.reject(
-        "one-interval-twice",
-        &with(rule(I, I, [1, 1], [1, -1])),
-        apart.clone(),
-    );
+    cases.reject("one-interval-twice", &with(rule(I, I, [1, 1], [1, -1])), apart.clone());
 
     // Two arcs that touch without crossing, and two that miss.
     let arcs = |height: i64| {
@@ -115,13 +95,8 @@ pub fn cases() -> Vec<Case> {
         ]))
     };
     for (name, height) in [("touching-arcs", 1), ("arcs-apart", 0)] {
-        let certificate =
-            Certificate::new(arcs(height)).upper("0", rule(I, ["13/4", "15/4"], [1, 0], [1, 0]));
-        cases.reject(
-            name,
-            &certificate.clone(),
-            expecting("crossing", "independent n₁, n₂"),
-        );
+        let certificate = Certificate::new(arcs(height)).upper("0", rule(I, ["13/4", "15/4"], [1, 0], [1, 0]));
+        cases.reject(name, &certificate.clone(), expecting("crossing", "independent n₁, n₂"));
         cases.reject(
             &format!("{name}-independent"),
             &certificate.with("/evidence/upper/second", json!(["1", "1"])),
@@ -138,13 +113,9 @@ pub fn cases() -> Vec<Case> {
     );
     // Closed: an interval across the closing point, and one that goes round to the other.
     let closed = polygon(json!([[0, 0], [1, 1], [1, -1], [-1, 1], [-1, -1], [0, 0]]));
-    let around = |t: [&str; 2], s: [&str; 2]| {
-        Certificate::new(closed.clone()).upper("0", rule(s, t, [-1, 1], [-1, -1]))
-    };
-    cases.accept(
-        "across-the-closing-point",
-        &around(["19/4", "21/4"], ["9/4", "11/4"]),
-    );
+    let around =
+        |t: [&str; 2], s: [&str; 2]| Certificate::new(closed.clone()).upper("0", rule(s, t, [-1, 1], [-1, -1]));
+    cases.accept("across-the-closing-point", &around(["19/4", "21/4"], ["9/4", "11/4"]));
     cases.reject(
         "round-to-the-other-interval",
         &around(["19/4", "21/4"], ["1/8", "1/4"]),

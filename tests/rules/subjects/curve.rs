@@ -22,10 +22,7 @@ pub fn cases() -> Vec<Case> {
     let good = spline(json!(2), knots(), square());
     cases.accept("spline", &Certificate::new(good.clone()));
     let refused = [
-        (
-            "degree-0",
-            spline(json!(0), json!([0, 1, 2, 3, 4]), square()),
-        ),
+        ("degree-0", spline(json!(0), json!([0, 1, 2, 3, 4]), square())),
         ("negative-degree", spline(json!(-1), knots(), square())),
         ("fractional-degree", spline(json!(2.0), knots(), square())),
         ("degree-as-a-string", spline(json!("2"), knots(), square())),
@@ -41,10 +38,7 @@ pub fn cases() -> Vec<Case> {
             "too-few-points",
             spline(json!(2), json!([0, 0, 0, 1, 1]), json!([[0, 0], [1, 0]])),
         ),
-        (
-            "too-few-knots",
-            spline(json!(2), json!([0, 0, 0, 1, 2, 2]), square()),
-        ),
+        ("too-few-knots", spline(json!(2), json!([0, 0, 0, 1, 2, 2]), square())),
         (
             "too-many-knots",
             spline(json!(2), json!([0, 0, 0, 1, 2, 2, 2, 2]), square()),
@@ -65,22 +59,12 @@ pub fn cases() -> Vec<Case> {
             "end-multiplicity",
             spline(json!(2), json!([0, 0, 0, 0, 2, 2, 2]), square()),
         ),
-        (
-            "empty-domain",
-            spline(json!(2), json!([0, 0, 1, 1, 1, 2, 2]), square()),
-        ),
+        ("empty-domain", spline(json!(2), json!([0, 0, 1, 1, 1, 2, 2]), square())),
         (
             "mixed-dimensions",
-            spline(
-                json!(2),
-                knots(),
-                json!([[0, 0], [1, 0], [1, 1, 1], [0, 1]]),
-            ),
+            spline(json!(2), knots(), json!([[0, 0], [1, 0], [1, 1, 1], [0, 1]])),
         ),
-        (
-            "dimension-1",
-            spline(json!(2), knots(), json!([[0], [1], [2], [3]])),
-        ),
+        ("dimension-1", spline(json!(2), knots(), json!([[0], [1], [2], [3]]))),
         (
             "dimension-4",
             spline(
@@ -151,19 +135,14 @@ pub fn cases() -> Vec<Case> {
         malformed,
     );
     // Two denominators of which each is small enough, but not their least common multiple.
-    let power = |base: i64, exponent: u32| {
-        format!("1/{}", knotproof::number::Integer::from(base).pow(exponent))
-    };
+    let power = |base: i64, exponent: u32| format!("1/{}", knotproof::number::Integer::from(base).pow(exponent));
     let with_denominators = |two: u32, three: u32| {
         let mut curve = good.clone();
         curve["bspline"]["points"][1][0] = json!(power(2, two));
         curve["bspline"]["points"][2][1] = json!(power(3, three));
         Certificate::new(curve)
     };
-    cases.accept(
-        "common-denominator-of-60000-bits",
-        &with_denominators(30_000, 18_900),
-    );
+    cases.accept("common-denominator-of-60000-bits", &with_denominators(30_000, 18_900));
     cases.malformed(
         "common-denominator-of-80000-bits",
         with_denominators(40_000, 25_200).json(),
@@ -186,11 +165,7 @@ pub fn cases() -> Vec<Case> {
     ] {
         let mut curve = number.clone();
         curve["bspline"]["points"][1][0] = value;
-        cases.malformed(
-            &format!("coordinate-{name}"),
-            Certificate::new(curve).json(),
-            malformed,
-        );
+        cases.malformed(&format!("coordinate-{name}"), Certificate::new(curve).json(), malformed);
     }
     cases.list()
 }

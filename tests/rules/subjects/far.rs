@@ -39,11 +39,7 @@ pub fn cases() -> Vec<Case> {
         "slanted-witness",
         &far("1 -100").with("/statement/lower_squared", json!("8")),
     );
-    cases.reject(
-        "slanted-witness-too-weak",
-        &far("1 -100"),
-        obligation_at("far", 4),
-    );
+    cases.reject("slanted-witness-too-weak", &far("1 -100"), obligation_at("far", 4));
     cases.reject(
         "lower-bound-above",
         &channel().with("/statement/lower_squared", json!("9000001/1000000")),
@@ -100,11 +96,7 @@ pub fn cases() -> Vec<Case> {
             .with("/evidence/grid", json!(grid))
     };
     cases.accept("run-on-the-grid-of-quarters", &finer(2));
-    cases.reject(
-        "run-on-too-coarse-a-grid",
-        &finer(1),
-        obligation_at("far", leaf),
-    );
+    cases.reject("run-on-too-coarse-a-grid", &finer(1), obligation_at("far", leaf));
     cases.reject(
         "run-on-the-grid-never-attains",
         &ladder

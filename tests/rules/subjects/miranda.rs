@@ -61,15 +61,9 @@ pub fn cases() -> Vec<Case> {
         "two-parabolas-in-the-convention-critical",
         &lens_with(good.clone()).critical(),
     );
-    cases.accept(
-        "mixed-factors",
-        &lens_with(plain([[-7, -1], [1, 7]], across())),
-    );
+    cases.accept("mixed-factors", &lens_with(plain([[-7, -1], [1, 7]], across())));
     cases.accept("sub-sections", &lens_with(rule(I, J, GROWING, across(), 5)));
-    cases.accept(
-        "most-sub-sections",
-        &lens_with(rule(I, J, GROWING, across(), 1024)),
-    );
+    cases.accept("most-sub-sections", &lens_with(rule(I, J, GROWING, across(), 1024)));
     let huge = format!("-1{}", "0".repeat(300));
     cases.accept(
         "huge-factor",
@@ -106,11 +100,7 @@ pub fn cases() -> Vec<Case> {
         ("zero-first-factors", [[0, 0], [0, 1]]),
         ("dependent-factors", [[-1, 1], [2, -2]]),
     ] {
-        cases.reject(
-            name,
-            &lens_with(plain(factors, across())),
-            independent.clone(),
-        );
+        cases.reject(name, &lens_with(plain(factors, across())), independent.clone());
     }
     let face = expecting("miranda", "one strict sign on each face");
     for (name, factors) in [
@@ -144,30 +134,13 @@ pub fn cases() -> Vec<Case> {
 
     // A cusp: D = (3a², 2a) vanishes at a = 0 and all faces have their signs, yet the one-sided tangents are vertical there.
     let cusp = under_a_roof(json!([[[-1, 1], [1, "-1/3"], [-1, "-1/3"], [1, 1]]]));
-    let roof = |curve, regular| {
-        Certificate::new(curve).upper(
-            "30",
-            rule(I, ["17/8", "23/8"], [[-1, 0], [0, -1]], regular, 1),
-        )
-    };
-    for (name, vector) in [
-        ("cusp", [1, 0]),
-        ("cusp-tangent", [0, 1]),
-        ("cusp-slanted", [1, 1]),
-    ] {
-        cases.reject(
-            name,
-            &roof(cusp.clone(), json!([vector, [-1, 0]])),
-            regular.clone(),
-        );
+    let roof =
+        |curve, regular| Certificate::new(curve).upper("30", rule(I, ["17/8", "23/8"], [[-1, 0], [0, -1]], regular, 1));
+    for (name, vector) in [("cusp", [1, 0]), ("cusp-tangent", [0, 1]), ("cusp-slanted", [1, 1])] {
+        cases.reject(name, &roof(cusp.clone(), json!([vector, [-1, 0]])), regular.clone());
     }
     // The same box over the parabola in its place holds a double normal.
-    let parabola = under_a_roof(json!([[
-        [-1, 1],
-        ["-1/3", "-1/3"],
-        ["1/3", "-1/3"],
-        [1, 1]
-    ]]));
+    let parabola = under_a_roof(json!([[[-1, 1], ["-1/3", "-1/3"], ["1/3", "-1/3"], [1, 1]]]));
     cases.accept("parabola-in-place-of-the-cusp", &roof(parabola, across()));
 
     // A corner that points away: the faces have their signs, but no chord from the corner is orthogonal to either of its sides.
@@ -175,31 +148,17 @@ pub fn cases() -> Vec<Case> {
     let wide = |curve| {
         Certificate::new(curve).upper(
             "18",
-            rule(
-                ["1/2", "3/2"],
-                ["25/8", "31/8"],
-                [[-1, 0], [0, -1]],
-                across(),
-                1,
-            ),
+            rule(["1/2", "3/2"], ["25/8", "31/8"], [[-1, 0], [0, -1]], across(), 1),
         )
     };
-    cases.reject(
-        "corner-inside",
-        &wide(wedge),
-        expecting("miranda", "no corner inside"),
-    );
+    cases.reject("corner-inside", &wide(wedge), expecting("miranda", "no corner inside"));
     // A smooth joint inside, where D jumps by a factor: the parabola in two pieces of different speed.
     let pieces = under_a_roof(json!([
         [[-1, 1], ["-3/4", "1/2"], ["-1/2", "1/4"]],
         [["-1/2", "1/4"], ["1/4", "-1/2"], [1, 1]]
     ]));
-    let jump = |s| {
-        Certificate::new(pieces.clone()).upper(
-            "30",
-            rule(s, ["25/8", "31/8"], [[-1, 0], [0, -1]], across(), 4),
-        )
-    };
+    let jump =
+        |s| Certificate::new(pieces.clone()).upper("30", rule(s, ["25/8", "31/8"], [[-1, 0], [0, -1]], across(), 4));
     cases.accept("smooth-joint-inside", &jump(["3/4", "7/4"]));
     cases.reject(
         "smooth-joint-inside-but-no-double-normal",
@@ -214,9 +173,7 @@ pub fn cases() -> Vec<Case> {
 
 /// Intervals that are none.
 fn intervals(cases: &mut Cases) {
-    let on = |curve: Value, s, t| {
-        Certificate::new(curve).upper("81/4", rule(s, t, GROWING, across(), 1))
-    };
+    let on = |curve: Value, s, t| Certificate::new(curve).upper("81/4", rule(s, t, GROWING, across(), 1));
     let none = expecting("miranda", "two intervals of the curve");
     for (name, s, t) in [
         ("reversed-interval", ["3/4", "1/4"], J),
@@ -249,22 +206,14 @@ fn intervals(cases: &mut Cases) {
         &on(closed.clone(), I, ["15/4", "17/4"]),
         apart.clone(),
     );
-    cases.reject(
-        "round-past-the-other-interval",
-        &on(closed, I, ["15/4", "19/4"]),
-        apart,
-    );
+    cases.reject("round-past-the-other-interval", &on(closed, I, ["15/4", "19/4"]), apart);
 }
 
 /// A straight line has no double normal, however it is parametrised; with vectors scaled one by one all faces would have their signs.
-fn straight(
-    cases: &mut Cases,
-    face: &(impl Fn(&knotproof::check::Rejection) -> bool + Clone + 'static),
-) {
+fn straight(cases: &mut Cases, face: &(impl Fn(&knotproof::check::Rejection) -> bool + Clone + 'static)) {
     let line = bezier(json!([[[0, 0], [1, 0], [2, 0]], [[2, 0], [3, 0], [4, 0]]]));
     let on = |curve: &Value, s, t, factors| {
-        Certificate::new(curve.clone())
-            .upper("100", rule(s, t, factors, json!([[1, 0], [1, 0]]), 1))
+        Certificate::new(curve.clone()).upper("100", rule(s, t, factors, json!([[1, 0], [1, 0]]), 1))
     };
     // D is (1, 0) everywhere. Numerators over the parameters' denominators: 2 at 1/2, 3 at 2/3, 4 at 5/4, 5 at 7/5; 6 and 20 on the
     // intervals. With these in place of D, the faces pass.
@@ -274,10 +223,7 @@ fn straight(
         face.clone(),
     );
     // Faster and faster: D from (1, 0) to (5, 0), on both pieces.
-    let faster = bezier(json!([
-        [[0, 0], [1, 0], [6, 0]],
-        [[6, 0], [11, 0], [26, 0]]
-    ]));
+    let faster = bezier(json!([[[0, 0], [1, 0], [6, 0]], [[6, 0], [11, 0], [26, 0]]]));
     for (i, factors) in [
         [[1, -1], [1, 1]],
         [[-1, 0], [0, 1]],
@@ -298,10 +244,7 @@ fn straight(
 }
 
 /// Two skew arcs in space, and two that no double normal joins.
-fn space(
-    cases: &mut Cases,
-    face: &(impl Fn(&knotproof::check::Rejection) -> bool + Clone + 'static),
-) {
+fn space(cases: &mut Cases, face: &(impl Fn(&knotproof::check::Rejection) -> bool + Clone + 'static)) {
     let arcs = bezier(json!([
         [[-1, 0, 1], [0, 0, -1], [1, 0, 1]],
         [[1, 0, 1], [0, -1, 3]],

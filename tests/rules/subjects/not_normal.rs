@@ -15,10 +15,7 @@ fn ends(end: i64) -> (Certificate, usize) {
     let statement = Certificate::new(curve)
         .critical()
         .with("/statement/lower_squared", json!("9"));
-    grow_with_leaf(
-        &statement,
-        [Node::Point(Element::Start), Node::Point(Element::End)],
-    )
+    grow_with_leaf(&statement, [Node::Point(Element::Start), Node::Point(Element::End)])
 }
 
 /// An open polygon whose two ends see each other behind their backs: a critical chord from (0,0) to (-1,3).
@@ -27,10 +24,7 @@ fn critical_ends() -> (Certificate, usize) {
     let statement = Certificate::new(curve)
         .critical()
         .with("/statement/lower_squared", json!("9"));
-    grow_with_leaf(
-        &statement,
-        [Node::Point(Element::Start), Node::Point(Element::End)],
-    )
+    grow_with_leaf(&statement, [Node::Point(Element::Start), Node::Point(Element::End)])
 }
 
 /// Cases of the rule.
@@ -38,10 +32,7 @@ pub fn cases() -> Vec<Case> {
     let mut cases = Cases::new("not_normal");
     let leaf = |factors: &str| step().token(4, &format!("not_normal {factors}"));
     for factors in ["-1 0", "0 -1", "-5 -7", "-2 1"] {
-        cases.accept(
-            &format!("factors-{}", factors.replace(' ', "-")),
-            &leaf(factors),
-        );
+        cases.accept(&format!("factors-{}", factors.replace(' ', "-")), &leaf(factors));
     }
     cases.accept(
         "huge-factors",
@@ -59,11 +50,7 @@ pub fn cases() -> Vec<Case> {
             obligation_at("not_normal", 4),
         );
     }
-    cases.reject(
-        "zero-witness",
-        &leaf("0 0"),
-        expecting("not_normal", "α, β not both 0"),
-    );
+    cases.reject("zero-witness", &leaf("0 0"), expecting("not_normal", "α, β not both 0"));
     cases.reject(
         "of-adjacent-nodes-that-touch",
         &step().token(3, "not_normal -1 0"),
@@ -111,12 +98,7 @@ pub fn cases() -> Vec<Case> {
     ]));
     let statement = Certificate::new(long).with("/statement/lower_squared", json!("inf"));
     let (long, leaf) = grow_with_leaf(&statement, [Node::Run(0, 2), Node::Run(6, 8)]);
-    for (factors, holds) in [
-        ("-1 0", true),
-        ("0 -1", true),
-        ("-1 -1", false),
-        ("-1 -2", false),
-    ] {
+    for (factors, holds) in [("-1 0", true), ("0 -1", true), ("-1 -1", false), ("-1 -2", false)] {
         let (name, certificate) = (
             format!("runs-{}", factors.replace(' ', "-")),
             long.clone().token(leaf, &format!("not_normal {factors}")),
@@ -131,9 +113,7 @@ pub fn cases() -> Vec<Case> {
     // Criticality at an open end is an inequality: the chord of both ends, from (0,0) to (end, 3).
     let [(inward, i), (outward, o)] = [1, -1].map(ends);
     let at = |(certificate, leaf): (&Certificate, usize), factors: &str| {
-        certificate
-            .clone()
-            .token(leaf, &format!("not_normal {factors}"))
+        certificate.clone().token(leaf, &format!("not_normal {factors}"))
     };
     let (inward, outward) = ((&inward, i), (&outward, o));
     cases.accept("ends-leaning-in", &at(inward, "-1 0"));
@@ -169,11 +149,7 @@ pub fn cases() -> Vec<Case> {
     cases.accept("critical-ends-under-far", &both);
     for factors in ["1 0", "-1 0", "0 1", "0 -1", "1 1", "-1 -1", "1 -1", "-1 1"] {
         let name = format!("critical-ends-{}", factors.replace(' ', "-"));
-        cases.reject(
-            &name,
-            &at((&both, leaf), factors),
-            obligation_at("not_normal", leaf),
-        );
+        cases.reject(&name, &at((&both, leaf), factors), obligation_at("not_normal", leaf));
     }
     // In the convention `smooth` the ends are ordinary.
     assert_eq!(STEP[4], "not_normal -1 0");

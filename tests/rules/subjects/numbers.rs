@@ -23,8 +23,7 @@ pub fn cases() -> Vec<Case> {
     let mut cases = Cases::new("numbers");
     let one = Integer::from(1);
     for bits in [
-        14, 15, 29, 30, 31, 60, 61, 62, 63, 64, 124, 125, 126, 127, 128, 251, 253, 254, 255, 256,
-        1000,
+        14, 15, 29, 30, 31, 60, 61, 62, 63, 64, 124, 125, 126, 127, 128, 251, 253, 254, 255, 256, 1000,
     ] {
         let shift = power(bits + 2) * Integer::from(-1);
         let squared = Integer::from(9) * power(2 * bits);
@@ -58,22 +57,13 @@ pub fn cases() -> Vec<Case> {
     // Small numbers, and bounds of many digits.
     for bits in [62, 126, 254, 500] {
         let small = |x: i64| format!("{x}/{}", power(bits));
-        let vertices = json!([
-            ["0", "0"],
-            [small(5), "0"],
-            [small(5), small(3)],
-            ["0", small(3)]
-        ]);
+        let vertices = json!([["0", "0"], [small(5), "0"], [small(5), small(3)], ["0", small(3)]]);
         let squared = format!("9/{}", power(2 * bits));
         let exact = Certificate::new(polygon(vertices))
             .lower(&squared, &CHANNEL)
             .upper(&squared, channel_root());
         cases.accept(&format!("over-2-to-the-{bits}"), &exact);
-        let above = format!(
-            "{}/{}",
-            Integer::from(9) * power(600) + &one,
-            power(2 * bits + 600)
-        );
+        let above = format!("{}/{}", Integer::from(9) * power(600) + &one, power(2 * bits + 600));
         cases.reject(
             &format!("over-2-to-the-{bits}-lower-above"),
             &exact

@@ -17,10 +17,7 @@ pub fn cases() -> Vec<Case> {
         Certificate::new(channel_curve()).upper("9", rule(s, s_side, t, t_side))
     };
     let inside = rule("1/2", "after", "5/2", "after");
-    cases.accept(
-        "middles-of-two-sides",
-        &channel().upper("9", inside.clone()),
-    );
+    cases.accept("middles-of-two-sides", &channel().upper("9", inside.clone()));
     cases.accept("bound-above", &channel().upper("10", inside.clone()));
     cases.reject(
         "bound-below",
@@ -28,10 +25,7 @@ pub fn cases() -> Vec<Case> {
         expecting("root", "upper_squared ≥ |chord|²"),
     );
     cases.accept("both-ends", &at("0", "after", "3", "before"));
-    cases.accept(
-        "corners-from-the-right-sides",
-        &at("1", "before", "2", "after"),
-    );
+    cases.accept("corners-from-the-right-sides", &at("1", "before", "2", "after"));
     let not_orthogonal = expecting("root", "a chord orthogonal to the tangent");
     cases.reject(
         "corner-from-the-wrong-side",
@@ -69,27 +63,11 @@ pub fn cases() -> Vec<Case> {
         obligation("root"),
     );
     let order = expecting("root", "s < t");
-    cases.reject(
-        "reversed",
-        &at("5/2", "after", "1/2", "after"),
-        order.clone(),
-    );
-    cases.reject(
-        "one-parameter",
-        &at("1/2", "after", "1/2", "after"),
-        order.clone(),
-    );
-    cases.reject(
-        "one-joint-from-both-sides",
-        &at("1", "before", "1", "after"),
-        order,
-    );
+    cases.reject("reversed", &at("5/2", "after", "1/2", "after"), order.clone());
+    cases.reject("one-parameter", &at("1/2", "after", "1/2", "after"), order.clone());
+    cases.reject("one-joint-from-both-sides", &at("1", "before", "1", "after"), order);
     let outside = expecting("root", "two parameters of the curve");
-    cases.reject(
-        "beyond-the-end",
-        &at("1/2", "after", "7/2", "after"),
-        outside.clone(),
-    );
+    cases.reject("beyond-the-end", &at("1/2", "after", "7/2", "after"), outside.clone());
     cases.reject(
         "before-the-start",
         &at("-1/2", "after", "5/2", "after"),
@@ -101,14 +79,8 @@ pub fn cases() -> Vec<Case> {
     let closed = |s: &str, s_side: &str, t: &str, t_side: &str| {
         Certificate::new(square.clone()).upper("1", rule(s, s_side, t, t_side))
     };
-    cases.accept(
-        "closed-start-from-both-sides",
-        &closed("0", "before", "1", "after"),
-    );
-    cases.accept(
-        "closed-start-from-after",
-        &closed("0", "after", "3", "before"),
-    );
+    cases.accept("closed-start-from-both-sides", &closed("0", "before", "1", "after"));
+    cases.accept("closed-start-from-after", &closed("0", "after", "3", "before"));
     cases.reject(
         "closed-start-and-end",
         &closed("0", "after", "4", "before"),
@@ -125,9 +97,7 @@ pub fn cases() -> Vec<Case> {
     let no_direction = expecting("root", "a tangent direction");
     cases.reject(
         "derivative-vanishes-inside",
-        &cusp
-            .clone()
-            .upper("17", rule("1/2", "after", "5/2", "after")),
+        &cusp.clone().upper("17", rule("1/2", "after", "5/2", "after")),
         no_direction.clone(),
     );
     cases.reject(
@@ -178,14 +148,15 @@ fn crossing_root() -> Certificate {
 }
 
 fn circle(s: &str, t: &str, upper: &str) -> Certificate {
-    let quarter = |points: Value| json!({ "points": crate::common::document::exact(points), "weights": ["1", "1", "2"] });
-    let quarter_back = |points: Value| json!({ "points": crate::common::document::exact(points), "weights": ["1", "1", "2"] });
+    let quarter =
+        |points: Value| json!({ "points": crate::common::document::exact(points), "weights": ["1", "1", "2"] });
+    let quarter_back =
+        |points: Value| json!({ "points": crate::common::document::exact(points), "weights": ["1", "1", "2"] });
     let pieces = [
         quarter(json!([[1, 0], [1, 1], [0, 1]])),
         quarter_back(json!([[0, 1], [-1, 1], [-1, 0]])),
         quarter(json!([[-1, 0], [-1, -1], [0, -1]])),
         quarter_back(json!([[0, -1], [1, -1], [1, 0]])),
     ];
-    Certificate::new(json!({ "bezier": { "pieces": pieces } }))
-        .upper(upper, rule(s, "after", t, "after"))
+    Certificate::new(json!({ "bezier": { "pieces": pieces } })).upper(upper, rule(s, "after", t, "after"))
 }

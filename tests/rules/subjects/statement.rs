@@ -33,16 +33,8 @@ pub fn cases() -> Vec<Case> {
         obligation("root"),
     );
     cases.reject("reversed", &lower("10"), reason(Reason::Reversed));
-    cases.reject(
-        "inf-beside-an-upper-bound",
-        &lower("inf"),
-        reason(Reason::Reversed),
-    );
-    cases.reject(
-        "zero-with-a-tree",
-        &lower("0"),
-        reason(Reason::TreePresence),
-    );
+    cases.reject("inf-beside-an-upper-bound", &lower("inf"), reason(Reason::Reversed));
+    cases.reject("zero-with-a-tree", &lower("0"), reason(Reason::TreePresence));
     cases.reject(
         "bound-without-a-tree",
         &both().with("/evidence/tree", Value::Null),
@@ -63,10 +55,7 @@ pub fn cases() -> Vec<Case> {
         &both().with("/statement/upper_squared", Value::Null),
         reason(Reason::UpperPresence),
     );
-    cases.accept(
-        "greatest-grid",
-        &both().with("/evidence/grid", json!(100_000)),
-    );
+    cases.accept("greatest-grid", &both().with("/evidence/grid", json!(100_000)));
     cases.reject(
         "grid-above",
         &both().with("/evidence/grid", json!(100_001)),
@@ -80,19 +69,14 @@ pub fn cases() -> Vec<Case> {
     cases.reject("the-other-convention", &both().critical(), |_| true);
 
     // A piece that is a point has no tangent.
-    let point = bezier(json!([
-        [[0, 0], [4, 0]],
-        [[4, 0], [4, 0]],
-        [[4, 0], [4, 3]]
-    ]));
+    let point = bezier(json!([[[0, 0], [4, 0]], [[4, 0], [4, 0]], [[4, 0], [4, 3]]]));
     cases.reject(
         "a-piece-that-is-a-point",
         &Certificate::new(point.clone()),
         reason(Reason::PointPiece { piece: 1 }),
     );
     let tree = [
-        "split", "cone 1 0", "second", "bend 1 1", "bend 1 1", "split", "cone 0 1", "bend 1 1",
-        "cone 0 1",
+        "split", "cone 1 0", "second", "bend 1 1", "bend 1 1", "split", "cone 0 1", "bend 1 1", "cone 0 1",
     ];
     cases.reject(
         "a-piece-that-is-a-point-with-a-tree",
@@ -108,11 +92,7 @@ pub fn cases() -> Vec<Case> {
         obligation("far"),
     );
     let higher_roof = crate::common::document::polygon(json!([[0, 0], [4, 0], [4, 4], [0, 4]]));
-    cases.reject(
-        "about-a-higher-curve",
-        &both().curve(higher_roof),
-        obligation("root"),
-    );
+    cases.reject("about-a-higher-curve", &both().curve(higher_roof), obligation("root"));
     let unhashed = both().with("/curve", lower_roof);
     cases.malformed("hash-of-another-curve", unhashed.json(), |error| {
         matches!(error, knotproof::certificate::FormatError::Hash { .. })

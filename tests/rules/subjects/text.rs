@@ -29,11 +29,7 @@ pub fn cases() -> Vec<Case> {
         ("no-version", ""),
         ("version-with-a-space", "certificate/1 "),
     ] {
-        cases.malformed(
-            name,
-            both().with("/knotproof", json!(version)).json(),
-            malformed,
-        );
+        cases.malformed(name, both().with("/knotproof", json!(version)).json(), malformed);
     }
     for (pointer, place) in [
         ("", "document"),
@@ -71,32 +67,16 @@ pub fn cases() -> Vec<Case> {
         ("/evidence/upper", "t_side"),
     ] {
         cases.malformed(
-            &format!(
-                "missing-{}{}",
-                pointer.replace('/', "-"),
-                format_args!("-{key}")
-            ),
+            &format!("missing-{}{}", pointer.replace('/', "-"), format_args!("-{key}")),
             both().without_field(pointer, key).json(),
             malformed,
         );
     }
     for (name, pointer, value) in [
-        (
-            "claim-of-another-kind",
-            "/statement/claim",
-            json!("curvature"),
-        ),
-        (
-            "unknown-convention",
-            "/statement/convention",
-            json!("Smooth"),
-        ),
+        ("claim-of-another-kind", "/statement/claim", json!("curvature")),
+        ("unknown-convention", "/statement/convention", json!("Smooth")),
         ("lower-null", "/statement/lower_squared", Value::Null),
-        (
-            "lower-in-words",
-            "/statement/lower_squared",
-            json!("Infinity"),
-        ),
+        ("lower-in-words", "/statement/lower_squared", json!("Infinity")),
         ("lower-negative", "/statement/lower_squared", json!("-1")),
         ("lower-as-a-number", "/statement/lower_squared", json!(9)),
         ("upper-inf", "/statement/upper_squared", json!("inf")),
@@ -119,10 +99,7 @@ pub fn cases() -> Vec<Case> {
     ] {
         cases.malformed(name, both().with(pointer, value).json(), |_| true);
     }
-    let hash = both().0["curve_sha256"]
-        .as_str()
-        .expect("a hash")
-        .to_uppercase();
+    let hash = both().0["curve_sha256"].as_str().expect("a hash").to_uppercase();
     cases.malformed(
         "hash-in-upper-case",
         both().with("/curve_sha256", json!(hash)).json(),
@@ -157,19 +134,11 @@ pub fn cases() -> Vec<Case> {
     }
     let joints = |count: &str| {
         let text = String::from_utf8(both().json()).expect("UTF-8");
-        text.replacen(
-            "\"tool\":",
-            &format!("\"snapped_joints\": {count}, \"tool\":"),
-            1,
-        )
-        .into_bytes()
+        text.replacen("\"tool\":", &format!("\"snapped_joints\": {count}, \"tool\":"), 1)
+            .into_bytes()
     };
     cases.accept_bytes("most-snapped-joints", joints("18446744073709551615"));
-    cases.malformed(
-        "too-many-snapped-joints",
-        joints("18446744073709551616"),
-        malformed,
-    );
+    cases.malformed("too-many-snapped-joints", joints("18446744073709551616"), malformed);
     lists_for_objects(&mut cases, &both());
     damage(&mut cases, &both());
     cases.list()
@@ -184,24 +153,13 @@ fn lists_for_objects(cases: &mut Cases, plain: &Certificate) {
             ["claim", "convention", "lower_squared", "upper_squared"].as_slice(),
         ),
         ("evidence", "/evidence", &["grid", "tree", "upper"]),
-        (
-            "upper",
-            "/evidence/upper",
-            &["rule", "s", "s_side", "t", "t_side"],
-        ),
+        ("upper", "/evidence/upper", &["rule", "s", "s_side", "t", "t_side"]),
         ("bezier", "/curve/bezier", &["pieces"]),
         ("piece", "/curve/bezier/pieces/1", &["points"]),
         (
             "document",
             "",
-            &[
-                "knotproof",
-                "tool",
-                "curve",
-                "curve_sha256",
-                "statement",
-                "evidence",
-            ],
+            &["knotproof", "tool", "curve", "curve_sha256", "statement", "evidence"],
         ),
     ] {
         let object = plain.0.pointer(pointer).expect(pointer);
@@ -229,11 +187,7 @@ fn damage(cases: &mut Cases, plain: &Certificate) {
         ("half", text.len() / 2),
         ("all-but-two-bytes", text.len() - 2),
     ] {
-        cases.malformed(
-            &format!("truncated-{name}"),
-            text[..length].to_vec(),
-            |_| true,
-        );
+        cases.malformed(&format!("truncated-{name}"), text[..length].to_vec(), |_| true);
     }
     let with = |before: &[u8], after: &[u8]| [before, &text, after].concat();
     cases.accept_bytes("spaces-around", with(b" \n\t", b"\r\n "));
@@ -272,27 +226,11 @@ fn damage(cases: &mut Cases, plain: &Certificate) {
         replaced("\"grid\":", "\"grid\": 7, \"grid\":"),
         malformed,
     );
-    cases.malformed(
-        "trailing-comma",
-        replaced("\"split\",", "\"split\",,"),
-        malformed,
-    );
+    cases.malformed("trailing-comma", replaced("\"split\",", "\"split\",,"), malformed);
     cases.malformed("single-quotes", replaced("\"split\"", "'split'"), malformed);
-    cases.malformed(
-        "comment",
-        replaced("\"tool\":", "/* by hand */ \"tool\":"),
-        malformed,
-    );
-    cases.malformed(
-        "not-a-number",
-        replaced("\"grid\": 0", "\"grid\": NaN"),
-        malformed,
-    );
-    cases.malformed(
-        "grid-minus-zero",
-        replaced("\"grid\": 0", "\"grid\": -0"),
-        malformed,
-    );
+    cases.malformed("comment", replaced("\"tool\":", "/* by hand */ \"tool\":"), malformed);
+    cases.malformed("not-a-number", replaced("\"grid\": 0", "\"grid\": NaN"), malformed);
+    cases.malformed("grid-minus-zero", replaced("\"grid\": 0", "\"grid\": -0"), malformed);
     cases.malformed(
         "grid-with-an-exponent",
         replaced("\"grid\": 0", "\"grid\": 0e0"),
@@ -303,25 +241,11 @@ fn damage(cases: &mut Cases, plain: &Certificate) {
         replaced("\"grid\": 0", "\"grid\": 00"),
         malformed,
     );
-    cases.malformed(
-        "lone-surrogate",
-        replaced("by hand", "by \\ud800 hand"),
-        malformed,
-    );
-    cases.malformed(
-        "control-character",
-        replaced("by hand", "by \u{1} hand"),
-        malformed,
-    );
-    cases.accept_bytes(
-        "escaped-letters",
-        replaced("certificate/1", "certificate\\/\\u0031"),
-    );
+    cases.malformed("lone-surrogate", replaced("by hand", "by \\ud800 hand"), malformed);
+    cases.malformed("control-character", replaced("by hand", "by \u{1} hand"), malformed);
+    cases.accept_bytes("escaped-letters", replaced("certificate/1", "certificate\\/\\u0031"));
     let mut invalid = text.clone();
-    let place = text
-        .windows(7)
-        .position(|window| window == b"by hand")
-        .expect("there");
+    let place = text.windows(7).position(|window| window == b"by hand").expect("there");
     invalid[place] = 0xff;
     cases.malformed("not-utf-8", invalid, |_| true);
     cases.malformed(

@@ -15,26 +15,18 @@ pub fn cases() -> Vec<Case> {
     let returning = polygon(json!([[-2, -1], [0, 0], [3, 0], [-1, -3], [0, 0], [1, 2]]));
     let at = |s: &str, t: &str| Certificate::new(returning.clone()).upper("0", rule(s, t));
     cases.accept("two-joints", &at("1", "4"));
-    cases.accept(
-        "two-joints-in-the-convention-critical",
-        &at("1", "4").critical(),
-    );
+    cases.accept("two-joints-in-the-convention-critical", &at("1", "4").critical());
     cases.accept(
         "any-bound",
         &at("1", "4").with("/statement/upper_squared", json!("1/1000")),
     );
     cases.accept(
         "a-side-and-a-joint",
-        &Certificate::new(polygon(json!([[0, 0], [4, 0], [4, 2], [1, 0]])))
-            .upper("0", rule("1/4", "3")),
+        &Certificate::new(polygon(json!([[0, 0], [4, 0], [4, 2], [1, 0]]))).upper("0", rule("1/4", "3")),
     );
     let different = expecting("touch", "c(s) = c(t)");
     cases.reject("different-points", &at("1", "3"), different.clone());
-    cases.reject(
-        "nearly-equal-points",
-        &at("1", "4000000001/1000000000"),
-        different,
-    );
+    cases.reject("nearly-equal-points", &at("1", "4000000001/1000000000"), different);
     cases.reject("reversed", &at("4", "1"), expecting("touch", "s < t"));
     cases.reject("one-parameter", &at("1", "1"), expecting("touch", "s < t"));
     cases.reject(

@@ -47,16 +47,8 @@ pub fn cases() -> Vec<Case> {
     );
 
     let wrong = reason(Reason::WrongSplit);
-    cases.reject(
-        "first-of-one-node",
-        &channel().token(0, "first"),
-        wrong.clone(),
-    );
-    cases.reject(
-        "second-of-one-node",
-        &channel().token(0, "second"),
-        wrong.clone(),
-    );
+    cases.reject("first-of-one-node", &channel().token(0, "first"), wrong.clone());
+    cases.reject("second-of-one-node", &channel().token(0, "second"), wrong.clone());
     cases.reject("split-of-two-nodes", &channel().token(2, "split"), wrong);
 
     // A part is halved up to 120 times.
@@ -78,11 +70,7 @@ pub fn cases() -> Vec<Case> {
     }
 
     // Ends and corners are not split, and have no token with themselves.
-    let segment = |tokens: &[&str]| {
-        Certificate::new(segment_curve())
-            .critical()
-            .lower("inf", tokens)
-    };
+    let segment = |tokens: &[&str]| Certificate::new(segment_curve()).critical().lower("inf", tokens);
     cases.accept("critical-segment", &segment(&SEGMENT));
     cases.accept("critical-segment-one-leaf", &segment(&["cone 3 4"]));
     cases.reject(
@@ -96,17 +84,11 @@ pub fn cases() -> Vec<Case> {
         reason(Reason::CannotSplit),
     );
     let with_itself = [&["split", "cone 3 4"], &SEGMENT[1..]].concat();
-    cases.reject(
-        "token-for-an-end-with-itself",
-        &segment(&with_itself),
-        |rejection| matches!(rejection.place, Place::Pair { .. }),
-    );
+    cases.reject("token-for-an-end-with-itself", &segment(&with_itself), |rejection| {
+        matches!(rejection.place, Place::Pair { .. })
+    });
     // The tree of the other convention does not cover ends and corners.
-    cases.reject(
-        "tree-of-the-other-convention",
-        &channel().critical(),
-        |_| true,
-    );
+    cases.reject("tree-of-the-other-convention", &channel().critical(), |_| true);
 
     for (name, token) in [
         ("unknown-rule", "near 0 -1"),
