@@ -1,0 +1,166 @@
+//! Certificates put together by hand, as JSON.
+
+use std::io::Cursor;
+
+use knotproof::certificate::{Encoding, curve_sha256, read, write};
+use knotproof::claim::tree::{TokenSource, write_token};
+use knotproof::curve::{Curve, read_curve};
+use serde_json::{Map, Value, json};
+
+/// JSON numbers as the strings a certificate wants.
+pub fn exact(value: Value) -> Value {
+    match value {
+        Value::Number(number) => Value::String(number.to_string()),
+        Value::Array(items) => items.into_iter().map(exact).collect(),
+        other => other,
+    }
+}
+
+/// A chain of polynomial pieces, each a list of points.
+pub fn bezier(pieces: Value) -> Value {
+    let pieces: Vec<Value> = exact(pieces)
+        .as_array()
+        .expect("a list of pieces")
+        .iter()
+        .map(|points| json!({ "points": points }))
+        .collect();
+    json!({ "bezier": { "pieces": pieces } })
+}
+
+/// A chain of straight pieces through the given points.
+pub fn polygon(vertices: Value) -> Value {
+    let vertices = vertices.as_array().expect("a list of points").clone();
+    bezier(vertices.windows(2).map(|pair| json!([pair[0], pair[1]])).collect())
+}
+
+/// The curve of a certificate's `curve` field.
+pub fn curve_of(curve: &Value) -> Option<Curve> {
+    let mut file = curve.as_object()?.clone();
+    file.insert("knotproof".into(), json!("curve/1"));
+    read_curve(Value::Object(file).to_string()).ok().map(|file| file.curve)
+}
+
+/// The certificate's `curve` field of a curve.
+pub fn field_of(curve: &Curve) -> Value {
+    let file: Map<String, Value> = serde_json::from_str(&knotproof::curve::write_curve(curve, None)).expect("JSON");
+    file.into_iter()
+        .filter(|(key, _)| key == "bspline" || key == "bezier")
+        .collect::<Map<_, _>>()
+        .into()
+}
+
+/// A certificate under construction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Certificate(pub Value);
+
+impl Certificate {
+    /// A certificate that says nothing about a curve.
+    pub fn new(curve: Value) -> Self {
+        let certificate = json!({
+            "knotproof": "certificate/1",
+            "tool": "by hand",
+            "curve": curve,
+            "curve_sha256": "0".repeat(64),
+            "statement": { "claim": "msd", "convention": "smooth", "lower_squared": "0", "upper_squared": null },
+            "evidence": { "grid": 0, "tree": null, "upper": null }
+        });
+        Certificate(certificate).rehashed()
+    }
+
+    /// The certificate in these bytes, of either form.
+    pub fn of_bytes(bytes: &[u8]) -> Self {
+        let mut text = Vec::new();
+        let (document, mut tokens) = read(Cursor::new(bytes)).expect("a certificate");
+        let mut tree = Vec::new();
+        while let Some(token) = tokens.next_token().expect("a token") {
+            write_token(&token, document.curve.dimension(), &mut tree);
+        }
+        write(&document, Cursor::new(tree), Encoding::Json, &mut text).expect("writes to memory");
+        Certificate(serde_json::from_slice(&text).expect("JSON"))
+    }
+
+    /// With `value` at a JSON pointer.
+    pub fn with(mut self, pointer: &str, value: Value) -> Self {
+        *self.0.pointer_mut(pointer).expect(pointer) = value;
+        self
+    }
+
+    /// With one more field in the object at a JSON pointer.
+    pub fn with_field(mut self, pointer: &str, key: &str, value: Value) -> Self {
+        let object = self.0.pointer_mut(pointer).and_then(Value::as_object_mut);
+        object.expect(pointer).insert(key.into(), value);
+        self
+    }
+
+    /// Without a field of the object at a JSON pointer.
+    pub fn without_field(mut self, pointer: &str, key: &str) -> Self {
+        let object = self.0.pointer_mut(pointer).and_then(Value::as_object_mut);
+        object.expect(pointer).remove(key).expect(key);
+        self
+    }
+
+    /// In the convention `critical`.
+    pub fn critical(self) -> Self {
+        self.with("/statement/convention", json!("critical"))
+    }
+
+    /// With a lower bound and its tree.
+    pub fn lower<T: Into<Value> + Clone>(self, lower_squared: &str, tree: &[T]) -> Self {
+        let tokens: Vec<Value> = tree.iter().cloned().map(Into::into).collect();
+        self.with("/statement/lower_squared", json!(lower_squared))
+            .with("/evidence/tree", Value::Array(tokens))
+    }
+
+    /// With another token number `i`.
+    pub fn token(self, i: usize, token: &str) -> Self {
+        self.with(&format!("/evidence/tree/{i}"), json!(token))
+    }
+
+    /// With an upper bound and its rule.
+    pub fn upper(self, upper_squared: &str, rule: Value) -> Self {
+        self.with("/statement/upper_squared", json!(upper_squared))
+            .with("/evidence/upper", rule)
+    }
+
+    /// With another curve, its hash included.
+    pub fn curve(self, curve: Value) -> Self {
+        self.with("/curve", curve).rehashed()
+    }
+
+    /// With the hash of its curve, if that is a curve.
+    pub fn rehashed(self) -> Self {
+        let Some(curve) = curve_of(&self.0["curve"]) else {
+            return self;
+        };
+        let hash: String = curve_sha256(&curve).iter().map(|byte| format!("{byte:02x}")).collect();
+        self.with("/curve_sha256", json!(hash))
+    }
+
+    /// Its tokens.
+    pub fn tokens(&self) -> Vec<String> {
+        let tree = self.0["evidence"]["tree"].as_array();
+        tree.into_iter()
+            .flatten()
+            .map(|token| token.as_str().expect("a token").to_string())
+            .collect()
+    }
+
+    /// As text.
+    pub fn json(&self) -> Vec<u8> {
+        let mut text = serde_json::to_string_pretty(&self.0).expect("JSON");
+        text.push('\n');
+        text.into_bytes()
+    }
+
+    /// In the binary form; the certificate must be well formed.
+    pub fn binary(&self) -> Vec<u8> {
+        let (document, mut tokens) = read(Cursor::new(self.json())).expect("well formed");
+        let mut tree = Vec::new();
+        while let Some(token) = tokens.next_token().expect("a token") {
+            write_token(&token, document.curve.dimension(), &mut tree);
+        }
+        let mut bytes = Vec::new();
+        write(&document, Cursor::new(tree), Encoding::Binary, &mut bytes).expect("writes to memory");
+        bytes
+    }
+}

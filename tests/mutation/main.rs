@@ -1,0 +1,315 @@
+//! Mutations: every field, token and integer of small certificates changed in turn, and every byte of binary ones. What is still
+//! accepted must be true, by recomputation; and the second checker must agree.
+#![cfg(feature = "prove")]
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../rules/subjects/mod.rs"]
+mod subjects;
+mod truth;
+mod values;
+
+use std::collections::BTreeSet;
+
+use common::document::Certificate;
+use common::python;
+use knotproof::certificate::Document;
+use knotproof::check::{Verdict, check};
+use knotproof::claim::msd::{Convention, Lower};
+use knotproof::number::Rational;
+use knotproof::prove::msd::{Options, certify};
+use truth::{Enclosure, is_true, recomputed, zero};
+use values::{other_values, pointers};
+
+/// What became of the mutants of one certificate.
+struct Tally {
+    name: String,
+    original: Document,
+    known: [Enclosure; 2],
+    accepted: Vec<Vec<u8>>,
+    rejected: Vec<Vec<u8>>,
+}
+
+impl Tally {
+    fn new(name: &str, bytes: &[u8], known: [Enclosure; 2]) -> Self {
+        let Verdict::Accepted { document: original, .. } = check(bytes) else {
+            panic!("{name} is accepted")
+        };
+        let tally = Tally {
+            name: name.into(),
+            original: *original,
+            known,
+            accepted: Vec::new(),
+            rejected: Vec::new(),
+        };
+        assert!(
+            is_true(&tally.original, tally.known_of(&tally.original)),
+            "{name} itself"
+        );
+        tally
+    }
+
+    fn known_of(&self, document: &Document) -> &Enclosure {
+        &self.known[usize::from(document.statement.convention == Convention::Critical)]
+    }
+
+    fn judge(&mut self, bytes: Vec<u8>, what: &str) {
+        match check(bytes.as_slice()) {
+            Verdict::Accepted { document, .. } => {
+                let true_again = if document.curve == self.original.curve {
+                    is_true(&document, self.known_of(&document))
+                } else {
+                    let recompute = || recomputed(&document.curve, document.statement.convention);
+                    let known = std::panic::catch_unwind(recompute);
+                    let known =
+                        known.unwrap_or_else(|_| panic!("{}: {what}: {}", self.name, String::from_utf8_lossy(&bytes)));
+                    is_true(&document, &known)
+                };
+                assert!(
+                    true_again,
+                    "{}: {what} is accepted and false: {:?}",
+                    self.name, document.statement
+                );
+                self.accepted.push(bytes);
+            }
+            Verdict::Malformed(_) | Verdict::Rejected { .. } => self.rejected.push(bytes),
+        }
+    }
+
+    /// The second checker on all accepted mutants and on one in `sample` of the rejected.
+    fn agree(self, sample: usize) {
+        let (accepted, rejected) = (self.accepted.len(), self.rejected.len());
+        let few: Vec<&[u8]> = self.rejected.iter().step_by(sample).map(Vec::as_slice).collect();
+        let all: Vec<&[u8]> = self.accepted.iter().map(Vec::as_slice).chain(few).collect();
+        for (i, answer) in python::check_bytes(&all).into_iter().enumerate() {
+            assert_eq!(
+                answer.accepted,
+                i < accepted,
+                "{}: {}\n{}",
+                self.name,
+                answer.reason,
+                String::from_utf8_lossy(all[i])
+            );
+        }
+        assert!(
+            rejected > 4 * accepted / 3,
+            "{}: {accepted} of {} mutants accepted",
+            self.name,
+            accepted + rejected
+        );
+    }
+}
+
+fn mutate_json(tally: &mut Tally, certificate: &Certificate) {
+    let mut places = Vec::new();
+    pointers(&certificate.0, "", &mut places);
+    for pointer in places {
+        let value = certificate.0.pointer(&pointer).expect("there");
+        for other in other_values(value) {
+            let what = format!("{pointer}: {}", other.to_string().chars().take(80).collect::<String>());
+            let mutant = certificate.clone().with(&pointer, other);
+            if pointer.starts_with("/curve/") {
+                tally.judge(mutant.clone().rehashed().json(), &what);
+            }
+            tally.judge(mutant.json(), &what);
+        }
+    }
+    exchange(tally, certificate);
+}
+
+/// Fields of two places exchanged.
+fn exchange(tally: &mut Tally, certificate: &Certificate) {
+    let upper = &certificate.0["evidence"]["upper"];
+    for (a, b) in [("s", "t"), ("first", "second"), ("s_side", "t_side")] {
+        if upper.get(a).is_some() && upper.get(b).is_some() {
+            let exchanged = certificate.clone();
+            let mutant = exchanged
+                .with(&format!("/evidence/upper/{a}"), upper[b].clone())
+                .with(&format!("/evidence/upper/{b}"), upper[a].clone());
+            if mutant != *certificate {
+                tally.judge(mutant.json(), &format!("{a} and {b} exchanged"));
+            }
+        }
+    }
+}
+
+fn mutate_bytes(tally: &mut Tally, bytes: &[u8]) {
+    for (i, byte) in bytes.iter().enumerate() {
+        let others: BTreeSet<u8> = [
+            byte ^ 1,
+            byte ^ 2,
+            byte ^ 0x10,
+            byte ^ 0x80,
+            byte.wrapping_add(1),
+            byte.wrapping_sub(1),
+            0,
+            0xff,
+            0x20,
+        ]
+        .into();
+        for other in others.into_iter().filter(|other| other != byte) {
+            let mut mutant = bytes.to_vec();
+            mutant[i] = other;
+            tally.judge(mutant, &format!("byte {i} as {other:#x}"));
+        }
+        let mut dropped = bytes.to_vec();
+        dropped.remove(i);
+        tally.judge(dropped, &format!("byte {i} dropped"));
+        let mut doubled = bytes.to_vec();
+        doubled.insert(i, *byte);
+        tally.judge(doubled, &format!("byte {i} doubled"));
+        tally.judge(bytes[..i].to_vec(), &format!("cut at byte {i}"));
+        if i > 0 && bytes[i - 1] != *byte {
+            let mut exchanged = bytes.to_vec();
+            exchanged.swap(i - 1, i);
+            tally.judge(exchanged, &format!("bytes {} and {i} exchanged", i - 1));
+        }
+    }
+}
+
+/// σ² of the certificate's curve in both conventions, recomputed.
+fn both(bytes: &[u8]) -> [Enclosure; 2] {
+    let Verdict::Accepted { document, .. } = check(bytes) else {
+        panic!("accepted")
+    };
+    [Convention::Smooth, Convention::Critical].map(|convention| recomputed(&document.curve, convention))
+}
+
+fn exactly(squared: i64) -> [Enclosure; 2] {
+    let squared = Some(Rational::from_integer(squared.into()));
+    [0, 1].map(|_| Enclosure {
+        lower: squared.clone(),
+        upper: squared.clone(),
+    })
+}
+
+fn run(name: &str, certificate: &Certificate, known: Option<[Enclosure; 2]>, sample: usize) {
+    let bytes = certificate.json();
+    let mut tally = Tally::new(name, &bytes, known.unwrap_or_else(|| both(&bytes)));
+    mutate_json(&mut tally, certificate);
+    tally.agree(sample);
+}
+
+fn run_binary(name: &str, certificate: &Certificate, sample: usize) {
+    let bytes = certificate.binary();
+    let mut tally = Tally::new(name, &bytes, both(&bytes));
+    mutate_bytes(&mut tally, &bytes);
+    tally.agree(sample);
+}
+
+/// The accepted hand-made case of a subject.
+fn hand_made(subject: &str, name: &str) -> Certificate {
+    let (_, cases) = subjects::all()
+        .into_iter()
+        .find(|(listed, _)| *listed == subject)
+        .expect(subject);
+    let case = cases()
+        .into_iter()
+        .find(|case| case.accepted() && case.name == name)
+        .expect(name);
+    Certificate::of_bytes(&case.bytes)
+}
+
+/// What the prover writes about an example curve.
+fn proved(curve: &str, convention: Convention, digits: u32) -> Certificate {
+    let path = common::case::certs().join("curves").join(curve);
+    let curve = knotproof::curve::read_curve(std::fs::read(path).expect(curve))
+        .expect(curve)
+        .curve;
+    let relative_width = Rational::new(1.into(), knotproof::number::Integer::from(10).pow(digits));
+    let options = Options {
+        convention,
+        relative_width,
+        budget: Some(3000),
+        ..Options::default()
+    };
+    let mut found = certify(&curve, &options, &|_| ()).expect("certifies");
+    let mut bytes = Vec::new();
+    found
+        .write(knotproof::certificate::Encoding::Json, &mut bytes)
+        .expect("writes to memory");
+    Certificate::of_bytes(&bytes)
+}
+
+#[test]
+fn polygons() {
+    let channel = subjects::channel().upper("9", subjects::channel_root());
+    run("channel", &channel, None, 10);
+    run("step", &subjects::step(), None, 10);
+    run(
+        "bend at an end",
+        &hand_made("bend", "end-against-its-piece-both"),
+        None,
+        10,
+    );
+    run("ends", &hand_made("not_normal", "ends-leaning-out"), None, 20);
+    run("touch", &hand_made("touch", "two-joints"), None, 10);
+    run("crossing", &hand_made("crossing", "two-diagonals"), None, 10);
+    run(
+        "critical root",
+        &hand_made("critical_root", "ends-behind-each-other"),
+        None,
+        10,
+    );
+    run(
+        "critical interval",
+        &hand_made("critical_interval", "altitude"),
+        None,
+        10,
+    );
+}
+
+#[test]
+fn curved() {
+    run("lens", &hand_made("miranda", "mixed-factors"), None, 10);
+    run("circle", &hand_made("root", "rational-inside"), Some(exactly(4)), 10);
+    run("parabola", &proved("parabola.json", Convention::Critical, 3), None, 10);
+}
+
+#[test]
+fn known_to_forty_digits() {
+    // σ of the closed cubic spline, and one unit of its fortieth digit.
+    let digits = "442675170376606599444313276103389848818804";
+    let sigma = |last: i64| {
+        let numerator: knotproof::number::Integer = digits.parse().expect("digits");
+        let sigma = Rational::new(
+            numerator + knotproof::number::Integer::from(last),
+            knotproof::number::Integer::from(10).pow(42),
+        );
+        Some(&sigma * &sigma)
+    };
+    let known = [0, 1].map(|_| Enclosure {
+        lower: sigma(-1),
+        upper: sigma(1),
+    });
+    run(
+        "mp06",
+        &proved("mp06-figure-1.json", Convention::Smooth, 12),
+        Some(known),
+        40,
+    );
+}
+
+#[test]
+fn bytes() {
+    run_binary("channel", &subjects::channel().upper("9", subjects::channel_root()), 10);
+    run_binary("parabola", &proved("parabola.json", Convention::Smooth, 3), 10);
+    run_binary("square", &proved("square.json", Convention::Critical, 3), 10);
+}
+
+#[test]
+fn the_recomputation_refutes_what_is_false() {
+    let certificate = subjects::channel();
+    let Verdict::Accepted { mut document, .. } = check(certificate.json().as_slice()) else {
+        panic!("accepted")
+    };
+    let known = recomputed(&document.curve, Convention::Smooth);
+    assert!(is_true(&document, &known));
+    document.statement.lower_squared = Lower::Finite(Rational::from_integer(10.into()));
+    assert!(!is_true(&document, &known));
+    document.statement.lower_squared = Lower::Infinite;
+    assert!(!is_true(&document, &known));
+    document.statement.lower_squared = Lower::Finite(zero());
+    document.statement.upper_squared = Some(Rational::from_integer(8.into()));
+    assert!(!is_true(&document, &known));
+}
