@@ -396,14 +396,7 @@ mod tests {
         // From the reference implementation, seed 1234567.
         let mut random = SplitMix64::new(1_234_567);
         let values = [0; 3].map(|_| random.next_u64());
-        assert_eq!(
-            values,
-            [
-                6457827717110365317,
-                3203168211198807973,
-                9817491932198370423
-            ]
-        );
+        assert_eq!(values, [6457827717110365317, 3203168211198807973, 9817491932198370423]);
     }
 
     #[test]
@@ -418,8 +411,7 @@ mod tests {
                     assert_eq!(a[3], b[0]);
                     let mut tangent = [0; 3];
                     for k in 0..3 {
-                        let [before, joint, after] =
-                            [a[2][k], a[3][k], b[1][k]].map(|x| exact(kind, x));
+                        let [before, joint, after] = [a[2][k], a[3][k], b[1][k]].map(|x| exact(kind, x));
                         assert_eq!(before + after, 2 * joint, "{kind:?}");
                         tangent[k] = after - joint;
                     }
@@ -456,10 +448,7 @@ mod tests {
             .flatten()
             .filter(|x| x.to_bits() & 1 == 1)
             .count();
-        assert!(
-            (400..2000).contains(&odd),
-            "{odd} of 2400 coordinates end in a 1"
-        );
+        assert!((400..2000).contains(&odd), "{odd} of 2400 coordinates end in a 1");
     }
 
     #[test]

@@ -24,23 +24,12 @@ fn main() -> ExitCode {
 fn run(arguments: &[String]) -> Result<(), String> {
     let names: Vec<&str> = Kind::NAMES.iter().map(|(name, _)| *name).collect();
     let [kind, pieces, seed, output] = arguments else {
-        return Err(format!(
-            "usage: generate {} PIECES SEED OUTPUT",
-            names.join("|")
-        ));
+        return Err(format!("usage: generate {} PIECES SEED OUTPUT", names.join("|")));
     };
-    let kind = Kind::from_name(kind).ok_or_else(|| {
-        format!(
-            "unknown kind {kind:?}, expected one of {}",
-            names.join(", ")
-        )
-    })?;
-    let count = pieces
-        .parse()
-        .map_err(|error| format!("PIECES {pieces:?}: {error}"))?;
-    let seed = seed
-        .parse()
-        .map_err(|error| format!("SEED {seed:?}: {error}"))?;
+    let kind =
+        Kind::from_name(kind).ok_or_else(|| format!("unknown kind {kind:?}, expected one of {}", names.join(", ")))?;
+    let count = pieces.parse().map_err(|error| format!("PIECES {pieces:?}: {error}"))?;
+    let seed = seed.parse().map_err(|error| format!("SEED {seed:?}: {error}"))?;
     let chain = chain(kind, count, seed)?;
     let name = format!("{kind:?}, {count} cubic pieces, seed {seed}");
     let written = match output.as_str() {
@@ -124,8 +113,7 @@ mod tests {
         for x in chain.iter().flatten().flatten() {
             let text = x.to_string();
             assert!(
-                text.split_once('.')
-                    .is_none_or(|(_, places)| places.len() <= 3),
+                text.split_once('.').is_none_or(|(_, places)| places.len() <= 3),
                 "{text}"
             );
             assert_ne!(text, "-0");

@@ -22,7 +22,9 @@ fn certify_and_write(curve: &Curve, directory: &std::path::Path) {
     let mut certified = certify(curve, &Options::default(), &|_| ()).expect("written");
     assert_eq!(certified.status, Status::Certified);
     let mut file = tempfile::NamedTempFile::new_in(directory).expect("a temporary file");
-    certified.write_checked(Encoding::Binary, file.as_file_mut()).expect("accepted");
+    certified
+        .write_checked(Encoding::Binary, file.as_file_mut())
+        .expect("accepted");
     file.persist(directory.join("bench.cert")).expect("renamed");
 }
 
@@ -32,7 +34,10 @@ fn accepted(certificate: &[u8]) {
 }
 
 fn benches(criterion: &mut Criterion) {
-    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first pool");
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build_global()
+        .expect("the first pool");
     let directory = tempfile::tempdir().expect("a directory");
     let curves = [
         ("A mp06", file("mp06-figure-1")),
@@ -46,9 +51,14 @@ fn benches(criterion: &mut Criterion) {
     for (name, curve) in &curves {
         let mut group = criterion.benchmark_group(*name);
         group.sample_size(10);
-        group.bench_function("certify, write, self-check", |bencher| bencher.iter(|| certify_and_write(curve, directory.path())));
+        group.bench_function("certify, write, self-check", |bencher| {
+            bencher.iter(|| certify_and_write(curve, directory.path()))
+        });
         let mut certificate = Vec::new();
-        certify(curve, &Options::default(), &|_| ()).expect("certified").write(Encoding::Binary, &mut certificate).expect("written");
+        certify(curve, &Options::default(), &|_| ())
+            .expect("certified")
+            .write(Encoding::Binary, &mut certificate)
+            .expect("written");
         group.bench_function("check", |bencher| bencher.iter(|| accepted(&certificate)));
         group.finish();
     }

@@ -15,13 +15,24 @@ use knotproof::prove::msd::{Options, certify};
 fn memory() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find(|line| line.starts_with("VmHWM"))?;
-    line.split_whitespace().nth(1)?.parse::<u64>().ok().map(|kibibytes| kibibytes / 1024)
+    line.split_whitespace()
+        .nth(1)?
+        .parse::<u64>()
+        .ok()
+        .map(|kibibytes| kibibytes / 1024)
 }
 
 fn main() {
-    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first pool");
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build_global()
+        .expect("the first pool");
     let asked: Vec<usize> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
-    let sizes = if asked.is_empty() { vec![2_000, 20_000, 200_000, 1_000_000] } else { asked };
+    let sizes = if asked.is_empty() {
+        vec![2_000, 20_000, 200_000, 1_000_000]
+    } else {
+        asked
+    };
     println!("| pieces | leaves | certify s | write and self-check s | check s | bytes | memory MiB |");
     println!("| --- | --- | --- | --- | --- | --- | --- |");
     for pieces in sizes {
@@ -38,6 +49,9 @@ fn main() {
         assert!(matches!(check(&mut file), Verdict::Accepted { .. }));
         let checked = start.elapsed().as_secs_f64();
         let memory = memory().map_or("—".into(), |mebibytes| mebibytes.to_string());
-        println!("| {pieces} | {} | {searched:.4} | {written:.4} | {checked:.4} | {bytes} | {memory} |", certified.leaves);
+        println!(
+            "| {pieces} | {} | {searched:.4} | {written:.4} | {checked:.4} | {bytes} | {memory} |",
+            certified.leaves
+        );
     }
 }

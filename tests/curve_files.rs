@@ -47,15 +47,8 @@ fn every_file_is_a_named_curve() {
         let path = entry.unwrap().path();
         let json = std::fs::read(&path).unwrap();
         let file = read_curve(&json).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        assert!(
-            file.name.is_some_and(|name| name.len() > 10),
-            "{}",
-            path.display()
-        );
-        assert_eq!(
-            read_curve(write_curve(&file.curve, None)).unwrap().curve,
-            file.curve
-        );
+        assert!(file.name.is_some_and(|name| name.len() > 10), "{}", path.display());
+        assert_eq!(read_curve(write_curve(&file.curve, None)).unwrap().curve, file.curve);
         count += 1;
     }
     assert!(count >= 20);
@@ -84,10 +77,7 @@ fn maekawa_patrikalakis_figure_1() {
     assert_eq!(chain.pieces()[0].points().iter().collect::<Vec<_>>(), first);
     let second: Vec<Rational> = (1..=2).flat_map(|k| chain.pieces()[1].point(k)).collect();
     // (2 P2 + P3)/3 and (P2 + 2 P3)/3.
-    assert_eq!(
-        second,
-        [f(14, 3), f(10, 3), f(25, 6), f(29, 6), f(7, 6), f(19, 3)]
-    );
+    assert_eq!(second, [f(14, 3), f(10, 3), f(25, 6), f(29, 6), f(7, 6), f(19, 3)]);
     assert_eq!(chain.count(), 5);
     assert_eq!(chain.piece(1).unwrap().knots, (f(1, 5), f(2, 5)));
     assert_eq!(chain.knot_at(&f(5, 2)), Some(f(1, 2)));
@@ -115,11 +105,7 @@ fn trefoil_has_24_smooth_pieces() {
 fn conics_lie_on_their_equations() {
     for (name, a, b) in [
         ("nurbs-circle.json", fraction(1, 1), fraction(1, 1)),
-        (
-            "nurbs-circle-radius-3-2.json",
-            fraction(3, 2),
-            fraction(3, 2),
-        ),
+        ("nurbs-circle-radius-3-2.json", fraction(3, 2), fraction(3, 2)),
         ("nurbs-ellipse.json", fraction(3, 1), fraction(1, 1)),
     ] {
         let curve = curve(name);
@@ -174,25 +160,11 @@ fn polygons_have_their_sides_and_corners() {
         let sides: Vec<Rational> = chain
             .pieces()
             .iter()
-            .map(|p| {
-                p.point(0)
-                    .iter()
-                    .zip(p.point(1))
-                    .map(|(a, b)| square(&(a - b)))
-                    .sum()
-            })
+            .map(|p| p.point(0).iter().zip(p.point(1)).map(|(a, b)| square(&(a - b))).sum())
             .collect();
-        assert_eq!(
-            sides,
-            integers(&squared).iter().collect::<Vec<_>>(),
-            "{name}"
-        );
+        assert_eq!(sides, integers(&squared).iter().collect::<Vec<_>>(), "{name}");
         assert_eq!(chain.closed(), name != "segment.json", "{name}");
-        assert_eq!(
-            corners(name),
-            if chain.closed() { sides.len() } else { 0 },
-            "{name}"
-        );
+        assert_eq!(corners(name), if chain.closed() { sides.len() } else { 0 }, "{name}");
     }
 }
 
@@ -241,10 +213,7 @@ fn figures_eight_cross_at_the_origin() {
 #[test]
 fn space_curves_are_what_they_say() {
     let helix = curve("helix-degree-9.json");
-    assert_eq!(
-        (helix.dimension(), helix.chain().pieces()[0].degree()),
-        (3, 9)
-    );
+    assert_eq!((helix.dimension(), helix.chain().pieces()[0].degree()), (3, 9));
     assert!(!helix.is_closed());
     let space = curve("nurbs-space.json");
     let Form::BSpline(spline) = space.form() else {
@@ -283,22 +252,14 @@ fn coincident_ends_are_smooth_nevertheless() {
 fn corners_turn_by_about_150_degrees() {
     let curve = curve("corner-150.json");
     let chain = curve.chain();
-    assert_eq!(
-        joints(&chain),
-        [Joint::Corner, Joint::Corner, Joint::Smooth]
-    );
+    assert_eq!(joints(&chain), [Joint::Corner, Joint::Corner, Joint::Smooth]);
     for i in [0, 1] {
         let v = chain.pieces()[(i + 2) % 3].end_direction().unwrap();
         let w = chain.pieces()[i].start_direction().unwrap();
-        let dot = |a: &[Rational], b: &[Rational]| -> Rational {
-            a.iter().zip(b).map(|(x, y)| x * y).sum()
-        };
+        let dot = |a: &[Rational], b: &[Rational]| -> Rational { a.iter().zip(b).map(|(x, y)| x * y).sum() };
         let product = dot(&v, &w);
         // The squared cosine is 3/4 at 150 degrees; 49/66 = 0.742… turns by 149.5 degrees.
         assert!(product < Rational::zero());
-        assert_eq!(
-            square(&product) / (dot(&v, &v) * dot(&w, &w)),
-            fraction(49, 66)
-        );
+        assert_eq!(square(&product) / (dot(&v, &v) * dot(&w, &w)), fraction(49, 66));
     }
 }

@@ -3,9 +3,7 @@
 mod curve_support;
 
 use curve_support::{at, bezier, bspline, fraction, integers, unit, vector};
-use knotproof::curve::{
-    BSpline, Bezier, Curve, CurveFault, Form, Joint, OperationError, Side, bernstein,
-};
+use knotproof::curve::{BSpline, Bezier, Curve, CurveFault, Form, Joint, OperationError, Side, bernstein};
 use knotproof::number::{Integer, Rational, RationalVector};
 use num_traits::{One, Signed, Zero};
 use proptest::prelude::*;
@@ -408,10 +406,7 @@ fn scattered(count: usize) -> Vec<Rational> {
 #[test]
 fn degree_25_agrees() {
     let p = 25;
-    let weights: Vec<Rational> = scattered(p + 1)
-        .iter()
-        .map(|x| x * x + fraction(1, 2))
-        .collect();
+    let weights: Vec<Rational> = scattered(p + 1).iter().map(|x| x * x + fraction(1, 2)).collect();
     let piece = Bezier::new(3, vector(&scattered(3 * (p + 1))), Some(vector(&weights))).unwrap();
     let u = fraction(3, 7);
     let sum = weighted_sum(3, piece.points(), piece.weights(), &bernstein(p, &u));
@@ -431,25 +426,15 @@ fn degree_25_agrees() {
     let curve = Curve::from(spline);
     let chain = curve.chain();
     assert_eq!(chain.count(), 4);
-    assert_eq!(
-        chain.evaluate(&chain.parameter_at(&t).unwrap()).unwrap(),
-        sum
-    );
+    assert_eq!(chain.evaluate(&chain.parameter_at(&t).unwrap()).unwrap(), sum);
 }
 
 #[test]
 fn elevation_is_refused_above_the_highest_degree() {
-    let spline =
-        BSpline::new(2, 1, integers(&[0, 0, 1, 1]), integers(&[0, 0, 3, 4]), None).unwrap();
+    let spline = BSpline::new(2, 1, integers(&[0, 0, 1, 1]), integers(&[0, 0, 3, 4]), None).unwrap();
     assert_eq!(spline.elevate(63).unwrap().degree(), 64);
-    assert_eq!(
-        spline.elevate(64),
-        Err(OperationError::Degree { degree: 65 })
-    );
-    assert!(matches!(
-        spline.elevate(usize::MAX),
-        Err(OperationError::Degree { .. })
-    ));
+    assert_eq!(spline.elevate(64), Err(OperationError::Degree { degree: 65 }));
+    assert!(matches!(spline.elevate(usize::MAX), Err(OperationError::Degree { .. })));
 }
 
 #[test]
@@ -457,16 +442,7 @@ fn degree_elevation_of_a_parabola() {
     // Farin, Curves and Surfaces for CAGD: the quadratic (0, 0), (1, 2), (2, 0) as a cubic.
     let piece = Bezier::new(2, integers(&[0, 0, 1, 2, 2, 0]), None).unwrap();
     let f = fraction;
-    let cubic = [
-        f(0, 1),
-        f(0, 1),
-        f(2, 3),
-        f(4, 3),
-        f(4, 3),
-        f(4, 3),
-        f(2, 1),
-        f(0, 1),
-    ];
+    let cubic = [f(0, 1), f(0, 1), f(2, 3), f(4, 3), f(4, 3), f(4, 3), f(2, 1), f(0, 1)];
     assert_eq!(piece.elevate(1).unwrap().points(), &vector(&cubic));
 }
 
@@ -479,19 +455,9 @@ fn outside_parameters_are_refused() {
         assert_eq!(piece.derivatives(&u, 1), Err(OperationError::OutsideDomain));
         assert_eq!(piece.split(&u), Err(OperationError::OutsideDomain));
         assert_eq!(piece.hodograph().evaluate(&u), outside);
-        let spline = BSpline::new(
-            2,
-            2,
-            integers(&[0, 0, 0, 1, 1, 1]),
-            piece.points().clone(),
-            None,
-        )
-        .unwrap();
+        let spline = BSpline::new(2, 2, integers(&[0, 0, 0, 1, 1, 1]), piece.points().clone(), None).unwrap();
         assert_eq!(spline.evaluate(&u), outside);
-        assert_eq!(
-            spline.insert_knot(&u, 1),
-            Err(OperationError::OutsideDomain)
-        );
+        assert_eq!(spline.insert_knot(&u, 1), Err(OperationError::OutsideDomain));
         let curve = Curve::from(spline);
         assert_eq!(curve.chain().evaluate(&u), outside);
         assert_eq!(curve.chain().parameter_at(&u), None);
@@ -502,18 +468,11 @@ fn outside_parameters_are_refused() {
 #[test]
 fn bezier_chains_have_integer_knots() {
     let piece = |numbers: &[i64]| Bezier::new(2, integers(numbers), None).unwrap();
-    let pieces = vec![
-        piece(&[0, 0, 1, 0]),
-        piece(&[1, 0, 1, 1]),
-        piece(&[1, 1, 0, 0]),
-    ];
+    let pieces = vec![piece(&[0, 0, 1, 0]), piece(&[1, 0, 1, 1]), piece(&[1, 1, 0, 0])];
     let curve = Curve::new(2, Form::Bezier(pieces)).unwrap();
     let chain = curve.chain();
     assert!(chain.closed());
-    assert_eq!(
-        chain.piece(1).unwrap().knots,
-        (fraction(1, 1), fraction(2, 1))
-    );
+    assert_eq!(chain.piece(1).unwrap().knots, (fraction(1, 1), fraction(2, 1)));
     assert_eq!(chain.piece(3), None);
     let t = fraction(7, 3);
     assert_eq!(chain.locate(&t), Some((2, fraction(1, 3))));
@@ -540,21 +499,9 @@ fn curves_of_mixed_dimensions_are_refused() {
     let piece = Bezier::new(2, integers(&[0, 0, 1, 0]), None).unwrap();
     let error = Curve::new(3, Form::Bezier(vec![piece])).unwrap_err();
     assert_eq!(error.place, "pieces[0].points");
-    assert_eq!(
-        error.fault,
-        CurveFault::MixedDimensions {
-            found: 2,
-            expected: 3
-        }
-    );
+    assert_eq!(error.fault, CurveFault::MixedDimensions { found: 2, expected: 3 });
     let error = Bezier::new(3, integers(&[0, 0, 1, 0]), None).unwrap_err();
-    assert_eq!(
-        error.fault,
-        CurveFault::MixedDimensions {
-            found: 1,
-            expected: 3
-        }
-    );
+    assert_eq!(error.fault, CurveFault::MixedDimensions { found: 1, expected: 3 });
     let error = Bezier::new(4, integers(&[0, 0, 1, 0]), None).unwrap_err();
     assert_eq!(error.fault, CurveFault::Dimension { found: 4 });
     let error = Curve::new(2, Form::Bezier(Vec::new())).unwrap_err();
@@ -566,40 +513,19 @@ fn periodic_splines_need_one_knot_more_than_points() {
     let f = |n: i64| fraction(n, 1);
     let points = [f(0), f(0), f(1), f(0), f(0), f(1)];
     let error = BSpline::periodic(2, 2, &[f(0), f(1), f(2)], &points, None).unwrap_err();
-    assert_eq!(
-        error.fault,
-        CurveFault::KnotCount {
-            found: 3,
-            expected: 4
-        }
-    );
+    assert_eq!(error.fault, CurveFault::KnotCount { found: 3, expected: 4 });
     let knots = [f(0), f(1), f(2), f(3)];
     let error = BSpline::periodic(2, 2, &knots, &points, Some(&[f(1)])).unwrap_err();
-    assert_eq!(
-        error.fault,
-        CurveFault::WeightCount {
-            found: 1,
-            expected: 3
-        }
-    );
+    assert_eq!(error.fault, CurveFault::WeightCount { found: 1, expected: 3 });
     let error = BSpline::periodic(2, 0, &knots, &points, None).unwrap_err();
     assert_eq!(error.fault, CurveFault::Degree { found: 0 });
     let error = BSpline::periodic(2, 2, &knots[..1], &[], None).unwrap_err();
-    assert_eq!(
-        error.fault,
-        CurveFault::PointCount {
-            found: 0,
-            expected: 1
-        }
-    );
+    assert_eq!(error.fault, CurveFault::PointCount { found: 0, expected: 1 });
     // The uniform quadratic on a triangle is a closed parabola chain through the midpoints of its sides.
     let spline = BSpline::periodic(2, 2, &knots, &points, None).unwrap();
     assert_eq!(spline.knots(), &integers(&[-2, -1, 0, 1, 2, 3, 4, 5]));
     assert_eq!(spline.evaluate(&f(0)).unwrap(), [fraction(1, 2), f(0)]);
-    assert_eq!(
-        spline.evaluate(&f(1)).unwrap(),
-        [fraction(1, 2), fraction(1, 2)]
-    );
+    assert_eq!(spline.evaluate(&f(1)).unwrap(), [fraction(1, 2), fraction(1, 2)]);
 }
 
 #[test]
@@ -615,9 +541,6 @@ fn joints_are_classified() {
     // A turn by 180 degrees: parallel, negative dot product.
     assert_eq!(joint(&[0, 0, 1, 0], &[1, 0, 0, 0]), Some(Joint::Corner));
     // Coincident points: the first direction that does not vanish counts.
-    assert_eq!(
-        joint(&[0, 0, 1, 0, 1, 0], &[1, 0, 1, 0, 4, 0]),
-        Some(Joint::Smooth)
-    );
+    assert_eq!(joint(&[0, 0, 1, 0, 1, 0], &[1, 0, 1, 0, 4, 0]), Some(Joint::Smooth));
     assert_eq!(joint(&[0, 0, 1, 0], &[1, 0, 1, 0]), Some(Joint::Undirected));
 }

@@ -4,8 +4,7 @@ mod curve_support;
 
 use curve_support::{bezier, bspline, fraction, integers};
 use knotproof::curve::{
-    Bezier, Curve, CurveFault, Form, ReadError, ReadFault, ReadOptions, read_curve,
-    read_curve_with, write_curve,
+    Bezier, Curve, CurveFault, Form, ReadError, ReadFault, ReadOptions, read_curve, read_curve_with, write_curve,
 };
 use knotproof::number::{Integer, NumberError, Rational, RationalVector};
 use proptest::prelude::*;
@@ -92,9 +91,7 @@ fn names_are_kept() {
 fn closedness_is_asserted() {
     let closed = "\"bezier\":{\"pieces\":[{\"points\":[[0,0],[1,0],[0,1],[0,0]]}]}";
     let open = "\"bezier\":{\"pieces\":[{\"points\":[[0,0],[1,0]]}]}";
-    let read = |assertion: &str, form: &str| {
-        read_curve(document(&format!("\"closed\":{assertion},{form}")))
-    };
+    let read = |assertion: &str, form: &str| read_curve(document(&format!("\"closed\":{assertion},{form}")));
     assert!(read("true", closed).unwrap().curve.is_closed());
     assert!(!read("false", open).unwrap().curve.is_closed());
     assert_eq!(read("true", open).unwrap_err().fault, ReadFault::NotClosed);
@@ -110,10 +107,7 @@ fn joints_are_snapped_on_request_only() {
     let json = pieces(
         r#"[{"points":[[0,0],[1,0.3]]},{"points":[["1","0.30001"],[2,0]],"weights":[2,3]},{"points":[[2,0],[0,0]]}]"#,
     );
-    assert_eq!(
-        curve_refusal(&json),
-        at("bezier.pieces[1].points[0]", CurveFault::Gap)
-    );
+    assert_eq!(curve_refusal(&json), at("bezier.pieces[1].points[0]", CurveFault::Gap));
     let options = ReadOptions { snap_joints: true };
     let file = read_curve_with(&json, options).unwrap();
     assert_eq!(file.snapped, 1);
@@ -179,11 +173,7 @@ fn documents_of_another_shape_are_refused() {
     is(&cubic("\"3\"", KNOTS, POINTS, ""), "bspline.degree", wrong);
     is(&cubic("2.5", KNOTS, POINTS, ""), "bspline.degree", wrong);
     is(&cubic("3", "null", POINTS, ""), "bspline.knots", wrong);
-    is(
-        &cubic("3", KNOTS, "[[0,0],7]", ""),
-        "bspline.points[1]",
-        wrong,
-    );
+    is(&cubic("3", KNOTS, "[[0,0],7]", ""), "bspline.points[1]", wrong);
     is(
         &cubic("3", KNOTS, POINTS, ",\"weights\":null"),
         "bspline.weights",
@@ -203,20 +193,14 @@ fn documents_of_another_shape_are_refused() {
         refusal(&cubic("3", KNOTS, POINTS, "").replace("curve/1", "curve/2")),
         ("knotproof".into(), fault)
     );
-    let fault = ReadFault::Meaning {
-        found: "float".into(),
-    };
-    assert_eq!(
-        refusal(&document("\"numbers\":\"float\"")),
-        ("numbers".into(), fault)
-    );
+    let fault = ReadFault::Meaning { found: "float".into() };
+    assert_eq!(refusal(&document("\"numbers\":\"float\"")), ("numbers".into(), fault));
     assert_eq!(
         refusal("{\"knotproof\":\"curve/1\"}"),
         (String::new(), ReadFault::NoForm)
     );
-    let both = document(
-        "\"bspline\":{\"degree\":1,\"knots\":[0,0,1,1],\"points\":[[0,0],[1,1]]},\"bezier\":{\"pieces\":[]}",
-    );
+    let both =
+        document("\"bspline\":{\"degree\":1,\"knots\":[0,0,1,1],\"points\":[[0,0],[1,1]]},\"bezier\":{\"pieces\":[]}");
     assert_eq!(refusal(&both), (String::new(), ReadFault::TwoForms));
     assert_eq!(
         read_curve(b"{\"\xff\":1}").unwrap_err().fault,
@@ -234,21 +218,11 @@ fn syntax_errors_name_line_and_column() {
 
 #[test]
 fn texts_that_are_no_numbers_are_refused() {
-    let with = |number: &str| {
-        refusal(&cubic(
-            "3",
-            KNOTS,
-            &format!("[[0,0],[1,2],[3,2],[4,{number}]]"),
-            "",
-        ))
-    };
+    let with = |number: &str| refusal(&cubic("3", KNOTS, &format!("[[0,0],[1,2],[3,2],[4,{number}]]"), ""));
     for text in ["null", "true", "[]", "{}"] {
         let (path, fault) = with(text);
         assert_eq!(path, "bspline.points[3][1]");
-        assert!(
-            matches!(fault, ReadFault::NotANumber { .. }),
-            "{text}: {fault:?}"
-        );
+        assert!(matches!(fault, ReadFault::NotANumber { .. }), "{text}: {fault:?}");
     }
     for text in ["\"NaN\"", "\"inf\"", "\"-Infinity\""] {
         let fault = with(text).1;
@@ -271,10 +245,7 @@ fn texts_that_are_no_numbers_are_refused() {
         ReadFault::Number(NumberError::ExponentTooLarge { .. })
     ));
     let long = "1".repeat(1_000_000);
-    assert!(matches!(
-        with(&long).1,
-        ReadFault::Number(NumberError::TooLong { .. })
-    ));
+    assert!(matches!(with(&long).1, ReadFault::Number(NumberError::TooLong { .. })));
     let binary = cubic("3", KNOTS, POINTS, "").replace("[4,0]", "[1e999,0]");
     let binary = binary.replace("\"bspline\"", "\"numbers\":\"binary64\",\"bspline\"");
     assert!(matches!(
@@ -287,46 +258,21 @@ fn texts_that_are_no_numbers_are_refused() {
 fn data_that_is_no_curve_is_refused() {
     use CurveFault as F;
     let bspline = |knots: &str, points: &str| curve_refusal(&cubic("3", knots, points, ""));
-    let weights = |weights: &str| {
-        curve_refusal(&cubic(
-            "3",
-            KNOTS,
-            POINTS,
-            &format!(",\"weights\":{weights}"),
-        ))
-    };
+    let weights = |weights: &str| curve_refusal(&cubic("3", KNOTS, POINTS, &format!(",\"weights\":{weights}")));
     let degree = |degree: &str| curve_refusal(&cubic(degree, KNOTS, POINTS, ""));
     assert_eq!(degree("0"), at("bspline.degree", F::Degree { found: 0 }));
     assert_eq!(degree("65"), at("bspline.degree", F::Degree { found: 65 }));
     assert_eq!(
         degree("4"),
-        at(
-            "bspline.points",
-            F::PointCount {
-                found: 4,
-                expected: 5
-            }
-        )
+        at("bspline.points", F::PointCount { found: 4, expected: 5 })
     );
     assert_eq!(
         bspline(KNOTS, "[[0,0]]"),
-        at(
-            "bspline.points",
-            F::PointCount {
-                found: 1,
-                expected: 4
-            }
-        )
+        at("bspline.points", F::PointCount { found: 1, expected: 4 })
     );
     assert_eq!(
         bspline(KNOTS, "[]"),
-        at(
-            "bspline.points",
-            F::PointCount {
-                found: 0,
-                expected: 2
-            }
-        )
+        at("bspline.points", F::PointCount { found: 0, expected: 2 })
     );
     assert_eq!(
         bspline(KNOTS, "[[0],[1],[2],[3]]"),
@@ -340,22 +286,13 @@ fn data_that_is_no_curve_is_refused() {
         bspline(KNOTS, "[[]]"),
         at("bspline.points[0]", F::Dimension { found: 0 })
     );
-    let mixed = F::MixedDimensions {
-        found: 3,
-        expected: 2,
-    };
+    let mixed = F::MixedDimensions { found: 3, expected: 2 };
     assert_eq!(
         bspline(KNOTS, "[[0,0],[1,2],[3,2,1],[4,0]]"),
         at("bspline.points[2]", mixed)
     );
-    let count = F::KnotCount {
-        found: 7,
-        expected: 8,
-    };
-    assert_eq!(
-        bspline("[0,0,0,0,1,1,1]", POINTS),
-        at("bspline.knots", count)
-    );
+    let count = F::KnotCount { found: 7, expected: 8 };
+    assert_eq!(bspline("[0,0,0,0,1,1,1]", POINTS), at("bspline.knots", count));
     assert_eq!(
         bspline("[0,0,0,0,1,1,1,\"1/2\"]", POINTS),
         at("bspline.knots[7]", F::DecreasingKnots)
@@ -369,48 +306,24 @@ fn data_that_is_no_curve_is_refused() {
         multiplicity: 4,
         degree: 3,
     };
-    assert_eq!(
-        bspline("[0,0,0,0,1,1,1,1,2,2,2,2]", six),
-        at("bspline.knots[4]", torn)
-    );
+    assert_eq!(bspline("[0,0,0,0,1,1,1,1,2,2,2,2]", six), at("bspline.knots[4]", torn));
     let end = F::EndMultiplicity {
         multiplicity: 5,
         degree: 3,
     };
-    assert_eq!(
-        bspline("[0,0,0,0,0,1,1,2,2,2,2,2]", six),
-        at("bspline.knots[0]", end)
-    );
-    let count = F::WeightCount {
-        found: 3,
-        expected: 4,
-    };
+    assert_eq!(bspline("[0,0,0,0,0,1,1,2,2,2,2,2]", six), at("bspline.knots[0]", end));
+    let count = F::WeightCount { found: 3, expected: 4 };
     assert_eq!(weights("[1,1,1]"), at("bspline.weights", count));
-    assert_eq!(
-        weights("[1,1,0,1]"),
-        at("bspline.weights[2]", F::NonPositiveWeight)
-    );
-    assert_eq!(
-        weights("[1,-0.1,1,1]"),
-        at("bspline.weights[1]", F::NonPositiveWeight)
-    );
+    assert_eq!(weights("[1,1,0,1]"), at("bspline.weights[2]", F::NonPositiveWeight));
+    assert_eq!(weights("[1,-0.1,1,1]"), at("bspline.weights[1]", F::NonPositiveWeight));
 
-    assert_eq!(
-        curve_refusal(&pieces("[]")),
-        at("bezier.pieces", F::NoPieces)
-    );
-    let one = F::PointCount {
-        found: 1,
-        expected: 2,
-    };
+    assert_eq!(curve_refusal(&pieces("[]")), at("bezier.pieces", F::NoPieces));
+    let one = F::PointCount { found: 1, expected: 2 };
     assert_eq!(
         curve_refusal(&pieces(r#"[{"points":[[0,0]]}]"#)),
         at("bezier.pieces[0].points", one)
     );
-    let none = F::PointCount {
-        found: 0,
-        expected: 2,
-    };
+    let none = F::PointCount { found: 0, expected: 2 };
     assert_eq!(
         curve_refusal(&pieces(r#"[{"points":[]}]"#)),
         at("bezier.pieces[0].points", none)
@@ -421,10 +334,7 @@ fn data_that_is_no_curve_is_refused() {
         curve_refusal(&high),
         at("bezier.pieces[0].points", F::Degree { found: 65 })
     );
-    let mixed = F::MixedDimensions {
-        found: 3,
-        expected: 2,
-    };
+    let mixed = F::MixedDimensions { found: 3, expected: 2 };
     let two = pieces(r#"[{"points":[[0,0],[1,1]]},{"points":[[1,1,0],[2,2,0]]}]"#);
     assert_eq!(curve_refusal(&two), at("bezier.pieces[1].points", mixed));
     let two = pieces(r#"[{"points":[[0,0],[1,1]]},{"points":[[1,1],[2,2]],"weights":[1,-1]}]"#);
@@ -441,9 +351,7 @@ fn absurd_sizes_are_refused_early() {
     let mut points = Vec::new();
     for n in 2..sieve.len() {
         if sieve[n] {
-            (2 * n..100_000)
-                .step_by(n)
-                .for_each(|multiple| sieve[multiple] = false);
+            (2 * n..100_000).step_by(n).for_each(|multiple| sieve[multiple] = false);
             points.push(format!("[\"1/{n}\",0]"));
         }
     }
@@ -462,21 +370,11 @@ fn absurd_sizes_are_refused_early() {
 #[test]
 fn curves_of_long_numbers_survive_writing() {
     let big = Rational::new(Integer::ONE, Integer::from(3).pow(40_000));
-    let points = RationalVector::from_rationals(&[
-        big.clone(),
-        -&big,
-        fraction(1, 2),
-        &big + fraction(1, 1),
-    ]);
+    let points = RationalVector::from_rationals(&[big.clone(), -&big, fraction(1, 2), &big + fraction(1, 1)]);
     let piece = Bezier::new(2, points, None).unwrap();
     let curve = Curve::new(2, Form::Bezier(vec![piece])).unwrap();
     assert_eq!(read_curve(write_curve(&curve, None)).unwrap().curve, curve);
-    let bigger = RationalVector::from_rationals(&[
-        fraction(0, 1),
-        &big * &big,
-        fraction(1, 2),
-        fraction(0, 1),
-    ]);
+    let bigger = RationalVector::from_rationals(&[fraction(0, 1), &big * &big, fraction(1, 2), fraction(0, 1)]);
     let error = Bezier::new(2, bigger, None).unwrap_err();
     assert!(matches!(error.fault, CurveFault::TooManyBits { .. }));
 }

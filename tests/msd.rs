@@ -27,13 +27,21 @@ fn planar(pieces: &[&[(&str, &str)]]) -> Curve {
             format!(r#"{{"points":[{}]}}"#, points.join(","))
         })
         .collect();
-    let text = format!(r#"{{"knotproof":"curve/1","bezier":{{"pieces":[{}]}}}}"#, pieces.join(","));
+    let text = format!(
+        r#"{{"knotproof":"curve/1","bezier":{{"pieces":[{}]}}}}"#,
+        pieces.join(",")
+    );
     read_curve(text).unwrap().curve
 }
 
 /// Certifies and lets the checker accept what was written, in both forms.
 fn accepted(curve: &Curve, convention: Convention, width: &str, budget: Option<u64>) -> Certified {
-    let options = Options { convention, relative_width: number(width), budget, ..Options::default() };
+    let options = Options {
+        convention,
+        relative_width: number(width),
+        budget,
+        ..Options::default()
+    };
     let mut certified = certify(curve, &options, &|_| ()).unwrap();
     for encoding in [Encoding::Json, Encoding::Binary] {
         certified.write_checked(encoding, &mut Cursor::new(Vec::new())).unwrap();
@@ -51,7 +59,10 @@ fn lower(certified: &Certified) -> Option<Rational> {
 /// Is certified, encloses σ, and is as narrow as asked.
 fn encloses(certified: &Certified, sigma: &str, width: &str) {
     assert_eq!(certified.status, Status::Certified);
-    let (low, high) = (lower(certified).unwrap(), certified.document.statement.upper_squared.clone().unwrap());
+    let (low, high) = (
+        lower(certified).unwrap(),
+        certified.document.statement.upper_squared.clone().unwrap(),
+    );
     // A decimal that is cut off is at most one unit of its last place below σ.
     let from = number(sigma);
     let places = sigma.split('.').nth(1).map_or(0, str::len);
@@ -76,14 +87,26 @@ fn mp06() {
 
 #[test]
 fn trefoil_attains_it_twice() {
-    encloses(&accepted(&file("trefoil-24"), Convention::Smooth, "1e-12", None), "1.081040191529209999", "1e-12");
-    encloses(&accepted(&file("trefoil-24"), Convention::Smooth, "1e-30", None), "1.08104019152920999916790730541", "1e-30");
+    encloses(
+        &accepted(&file("trefoil-24"), Convention::Smooth, "1e-12", None),
+        "1.081040191529209999",
+        "1e-12",
+    );
+    encloses(
+        &accepted(&file("trefoil-24"), Convention::Smooth, "1e-30", None),
+        "1.08104019152920999916790730541",
+        "1e-30",
+    );
 }
 
 #[test]
 fn degree_eight() {
     for width in ["1e-12", "1e-30"] {
-        encloses(&accepted(&file("degree-8"), Convention::Smooth, width, None), "0.740919277985580490309213004908", width);
+        encloses(
+            &accepted(&file("degree-8"), Convention::Smooth, width, None),
+            "0.740919277985580490309213004908",
+            width,
+        );
     }
 }
 
@@ -97,7 +120,11 @@ fn circles() {
             assert_eq!(certified.document.statement.upper_squared, Some(&diameter * &diameter));
         }
     }
-    encloses(&accepted(&file("nurbs-ellipse"), Convention::Smooth, "1e-12", None), "2", "1e-12");
+    encloses(
+        &accepted(&file("nurbs-ellipse"), Convention::Smooth, "1e-12", None),
+        "2",
+        "1e-12",
+    );
 }
 
 #[test]
@@ -118,26 +145,51 @@ fn polygons() {
         }
     }
     // The least height of a 3-4-5 triangle is 12/5.
-    encloses(&accepted(&file("triangle"), Convention::Critical, "1e-12", None), "2.4", "1e-12");
-    encloses(&accepted(&file("triangle-acute"), Convention::Critical, "1e-12", None), "11.2", "1e-12");
+    encloses(
+        &accepted(&file("triangle"), Convention::Critical, "1e-12", None),
+        "2.4",
+        "1e-12",
+    );
+    encloses(
+        &accepted(&file("triangle-acute"), Convention::Critical, "1e-12", None),
+        "11.2",
+        "1e-12",
+    );
 }
 
 #[test]
 fn corners_coincident_points_and_parallel_sides() {
-    encloses(&accepted(&file("stadium"), Convention::Smooth, "1e-12", None), "2", "1e-12");
-    encloses(&accepted(&file("coincident-ends"), Convention::Smooth, "1e-12", None), "3.5", "1e-12");
+    encloses(
+        &accepted(&file("stadium"), Convention::Smooth, "1e-12", None),
+        "2",
+        "1e-12",
+    );
+    encloses(
+        &accepted(&file("coincident-ends"), Convention::Smooth, "1e-12", None),
+        "3.5",
+        "1e-12",
+    );
     let corner = accepted(&file("corner-150"), Convention::Smooth, "1e-12", None);
     assert_eq!(corner.status, Status::Certified);
     let corner = accepted(&file("corner-150"), Convention::Critical, "1e-12", None);
     encloses(&corner, "3.55263453245", "1e-12");
     // An open end over a segment: the nearest point of the other piece is inside it.
-    let hook = planar(&[&[("0", "0"), ("4", "0")], &[("4", "0"), ("4", "1")], &[("4", "1"), ("1", "1")]]);
+    let hook = planar(&[
+        &[("0", "0"), ("4", "0")],
+        &[("4", "0"), ("4", "1")],
+        &[("4", "1"), ("1", "1")],
+    ]);
     encloses(&accepted(&hook, Convention::Critical, "1e-12", None), "1", "1e-12");
 }
 
 #[test]
 fn rational_and_high_degree() {
-    for name in ["nurbs-space", "helix-degree-9", "unclamped-periodic", "cpij14-experiment-1"] {
+    for name in [
+        "nurbs-space",
+        "helix-degree-9",
+        "unclamped-periodic",
+        "cpij14-experiment-1",
+    ] {
         for convention in [Convention::Smooth, Convention::Critical] {
             let certified = accepted(&file(name), convention, "1e-9", None);
             assert_eq!(certified.status, Status::Certified, "{name}");
@@ -152,15 +204,26 @@ fn a_curve_that_crosses_itself_has_distance_zero() {
         file("crossing-at-joints"),
         file("figure-eight"),
         planar(&[&[("0", "0"), ("7", "5"), ("-3", "5"), ("5", "0.3")]]),
-        planar(&[&[("0", "0"), ("3", "1")], &[("3", "1"), ("3", "2")], &[("3", "2"), ("0.5", "-1.7")]]),
-        planar(&[&[("0", "0"), ("1", "3"), ("2", "-3"), ("3", "0.1")], &[("3", "0.1"), ("4", "4"), ("0", "4"), ("0.1", "-1")]]),
+        planar(&[
+            &[("0", "0"), ("3", "1")],
+            &[("3", "1"), ("3", "2")],
+            &[("3", "2"), ("0.5", "-1.7")],
+        ]),
+        planar(&[
+            &[("0", "0"), ("1", "3"), ("2", "-3"), ("3", "0.1")],
+            &[("3", "0.1"), ("4", "4"), ("0", "4"), ("0.1", "-1")],
+        ]),
     ];
     for (i, curve) in curves.iter().enumerate() {
         for convention in [Convention::Smooth, Convention::Critical] {
             let certified = accepted(curve, convention, "1e-12", Some(100_000));
             assert_eq!(certified.status, Status::Certified, "curve {i}");
             assert_eq!(lower(&certified).unwrap(), number("0"), "curve {i}");
-            assert_eq!(certified.document.statement.upper_squared, Some(number("0")), "curve {i}");
+            assert_eq!(
+                certified.document.statement.upper_squared,
+                Some(number("0")),
+                "curve {i}"
+            );
         }
     }
 }
@@ -169,12 +232,30 @@ fn a_curve_that_crosses_itself_has_distance_zero() {
 fn what_touches_or_retraces_is_never_given_a_positive_bound() {
     let curves = [
         // There and back again.
-        planar(&[&[("0", "0"), ("1", "0")], &[("1", "0"), ("1", "1")], &[("1", "1"), ("0.5", "0")], &[("0.5", "0"), ("0", "0")]]),
+        planar(&[
+            &[("0", "0"), ("1", "0")],
+            &[("1", "0"), ("1", "1")],
+            &[("1", "1"), ("0.5", "0")],
+            &[("0.5", "0"), ("0", "0")],
+        ]),
         // A parabola that touches a line, and two that touch each other.
-        planar(&[&[("-1", "1"), ("0", "-1"), ("1", "1")], &[("1", "1"), ("3", "0")], &[("3", "0"), ("-2", "0")]]),
+        planar(&[
+            &[("-1", "1"), ("0", "-1"), ("1", "1")],
+            &[("1", "1"), ("3", "0")],
+            &[("3", "0"), ("-2", "0")],
+        ]),
         // y = (x²−2)² touches y = 0 at x = √2.
-        planar(&[&[("0", "4"), ("0.5", "4"), ("1", "4/3"), ("1.5", "-4"), ("2", "4")], &[("2", "4"), ("3", "0")], &[("3", "0"), ("1", "0")]]),
-        planar(&[&[("-1", "1"), ("0", "-1"), ("1", "1")], &[("1", "1"), ("3", "-1")], &[("3", "-1"), ("1", "-1")], &[("1", "-1"), ("0", "1"), ("-1", "-1")]]),
+        planar(&[
+            &[("0", "4"), ("0.5", "4"), ("1", "4/3"), ("1.5", "-4"), ("2", "4")],
+            &[("2", "4"), ("3", "0")],
+            &[("3", "0"), ("1", "0")],
+        ]),
+        planar(&[
+            &[("-1", "1"), ("0", "-1"), ("1", "1")],
+            &[("1", "1"), ("3", "-1")],
+            &[("3", "-1"), ("1", "-1")],
+            &[("1", "-1"), ("0", "1"), ("-1", "-1")],
+        ]),
         // A corner of 180°.
         planar(&[&[("0", "0"), ("1", "0")], &[("1", "0"), ("0.5", "0")]]),
     ];
@@ -191,7 +272,9 @@ fn a_cusp_is_named() {
     for convention in [Convention::Smooth, Convention::Critical] {
         let certified = accepted(&file("cusp"), convention, "1e-12", None);
         assert_eq!(lower(&certified), Some(number("0")));
-        let Status::Undecided(why) = &certified.status else { panic!("a cusp was certified") };
+        let Status::Undecided(why) = &certified.status else {
+            panic!("a cusp was certified")
+        };
         assert!(why.contains("0.5"), "{why}");
     }
 }
@@ -221,7 +304,10 @@ fn the_certificate_does_not_depend_on_the_number_of_threads() {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| {
                 let mut out = Vec::new();
-                certify(&curve, &Options::default(), &|_| ()).unwrap().write(Encoding::Binary, &mut out).unwrap();
+                certify(&curve, &Options::default(), &|_| ())
+                    .unwrap()
+                    .write(Encoding::Binary, &mut out)
+                    .unwrap();
                 out
             })
         };

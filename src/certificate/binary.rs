@@ -17,7 +17,12 @@ const MAX_HEADER: u32 = 1 << 24;
 pub fn write<R: Read, W: Write>(document: &Document, mut tree: R, out: &mut W) -> io::Result<()> {
     let header = json::header(document);
     let length = u32::try_from(header.len()).ok().filter(|length| *length <= MAX_HEADER);
-    let length = length.ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "the header of the certificate is above 16 MiB"))?;
+    let length = length.ok_or_else(|| {
+        io::Error::new(
+            io::ErrorKind::InvalidInput,
+            "the header of the certificate is above 16 MiB",
+        )
+    })?;
     out.write_all(MAGIC)?;
     out.write_all(&length.to_le_bytes())?;
     out.write_all(header.as_bytes())?;
@@ -34,7 +39,10 @@ pub fn read<R: Read>(mut source: ByteSource<R>) -> Result<(Document, BinaryToken
     source.read_exact(&mut length)?;
     let length = u32::from_le_bytes(length);
     if length > MAX_HEADER {
-        return Err(FormatError::malformed("header", format!("{length} bytes, at most {MAX_HEADER} expected")));
+        return Err(FormatError::malformed(
+            "header",
+            format!("{length} bytes, at most {MAX_HEADER} expected"),
+        ));
     }
     let mut header = Vec::new();
     source.by_ref().take(u64::from(length)).read_to_end(&mut header)?;

@@ -109,7 +109,9 @@ pub fn read(source: &mut impl Read) -> Result<Curve, FormatError> {
                 let coordinates = read_vector(source, (degree + 1) * dimension)?;
                 let weights = read_weights(source, degree + 1)?;
                 let piece = Bezier::new(dimension, coordinates, weights);
-                read.push(piece.map_err(|error| FormatError::malformed(format!("curve block, piece {number}"), error.to_string()))?);
+                read.push(piece.map_err(|error| {
+                    FormatError::malformed(format!("curve block, piece {number}"), error.to_string())
+                })?);
             }
             Form::Bezier(read)
         }
@@ -128,7 +130,10 @@ fn count(source: &mut impl Read, limit: usize, what: &str) -> Result<usize, Form
     let value = read_varint(source, 64)?;
     match value.to_u64() {
         Some(value) if value <= limit as u64 => Ok(value as usize),
-        _ => Err(FormatError::malformed("curve block", format!("{what} {value}, at most {limit} expected"))),
+        _ => Err(FormatError::malformed(
+            "curve block",
+            format!("{what} {value}, at most {limit} expected"),
+        )),
     }
 }
 
@@ -142,7 +147,10 @@ fn read_vector(source: &mut impl Read, count: usize) -> Result<RationalVector, F
     let stated = denominator.clone();
     match RationalVector::from_parts(numerators, denominator) {
         Some(vector) if *vector.denominator() == stated => Ok(vector),
-        _ => Err(FormatError::malformed("curve block", "a denominator that is zero or not the least")),
+        _ => Err(FormatError::malformed(
+            "curve block",
+            "a denominator that is zero or not the least",
+        )),
     }
 }
 

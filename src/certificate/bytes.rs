@@ -19,7 +19,14 @@ pub struct ByteSource<R> {
 impl<R: Read> ByteSource<R> {
     /// Reads from `inner`.
     pub fn new(inner: R) -> Self {
-        ByteSource { inner, buffer: vec![0; BUFFER].into_boxed_slice(), start: 0, end: 0, hashed: 0, hasher: None }
+        ByteSource {
+            inner,
+            buffer: vec![0; BUFFER].into_boxed_slice(),
+            start: 0,
+            end: 0,
+            hashed: 0,
+            hasher: None,
+        }
     }
 
     /// Hashes from here on.

@@ -70,7 +70,10 @@ pub enum FormatError {
 
 impl FormatError {
     pub(crate) fn malformed(place: impl Into<String>, what: impl Into<String>) -> Self {
-        FormatError::Malformed { place: place.into(), what: what.into() }
+        FormatError::Malformed {
+            place: place.into(),
+            what: what.into(),
+        }
     }
 }
 
@@ -80,7 +83,9 @@ impl fmt::Display for FormatError {
             FormatError::Io(error) => write!(f, "reading failed: {error}"),
             FormatError::Truncated => write!(f, "the file ends too early"),
             FormatError::Malformed { place, what } => write!(f, "{place}: {what}"),
-            FormatError::Hash { stated, actual } => write!(f, "curve_sha256 is {stated}, but the curve's hash is {actual}"),
+            FormatError::Hash { stated, actual } => {
+                write!(f, "curve_sha256 is {stated}, but the curve's hash is {actual}")
+            }
         }
     }
 }
@@ -89,7 +94,11 @@ impl std::error::Error for FormatError {}
 
 impl From<io::Error> for FormatError {
     fn from(error: io::Error) -> Self {
-        if error.kind() == io::ErrorKind::UnexpectedEof { FormatError::Truncated } else { FormatError::Io(error) }
+        if error.kind() == io::ErrorKind::UnexpectedEof {
+            FormatError::Truncated
+        } else {
+            FormatError::Io(error)
+        }
     }
 }
 
@@ -126,7 +135,10 @@ pub const MAX_JSON_BYTES: u64 = 1 << 30;
 /// Reads a certificate of either form up to its tree.
 pub fn read<R: Read>(mut source: R) -> Result<(Document, Tokens<R>), FormatError> {
     let mut magic = Vec::new();
-    source.by_ref().take(binary::MAGIC.len() as u64).read_to_end(&mut magic)?;
+    source
+        .by_ref()
+        .take(binary::MAGIC.len() as u64)
+        .read_to_end(&mut magic)?;
     if magic == binary::MAGIC {
         let (document, tokens) = binary::read(ByteSource::new(source))?;
         return Ok((document, Tokens::Binary(tokens)));

@@ -38,7 +38,8 @@ impl Boxes {
             return Boxes::Narrow(narrow);
         }
         let mut large = Vec::with_capacity(runs);
-        fill::<Integer>(chain, elements, grid, 0, elements.count(), &mut large).expect("unbounded integers do not overflow");
+        fill::<Integer>(chain, elements, grid, 0, elements.count(), &mut large)
+            .expect("unbounded integers do not overflow");
         Boxes::Large(large)
     }
 
@@ -110,7 +111,8 @@ fn element_box<W: Word>(chain: &Chain, element: Element, grid: u32) -> Option<Gr
             {
                 return Some([super::chain::convert(&bounds[0])?, super::chain::convert(&bounds[1])?]);
             }
-            let numbers: super::chain::OwnedNumbers<Integer> = chain.numbers_as(piece).expect("unbounded integers do not overflow");
+            let numbers: super::chain::OwnedNumbers<Integer> =
+                chain.numbers_as(piece).expect("unbounded integers do not overflow");
             for (k, point) in numbers.points.iter().enumerate() {
                 include(&mut bounds, point, numbers.weights.get(k).unwrap_or(&denominator), grid);
             }

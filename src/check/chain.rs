@@ -22,13 +22,20 @@ pub struct Scale {
 impl Scale {
     /// Takes a positive integer apart.
     pub fn new(value: &Integer) -> Self {
-        let exponent = u32::try_from(value.trailing_zeros().unwrap_or(0)).expect("bit counts are bounded by the reader");
-        Scale { odd: value >> exponent, exponent }
+        let exponent =
+            u32::try_from(value.trailing_zeros().unwrap_or(0)).expect("bit counts are bounded by the reader");
+        Scale {
+            odd: value >> exponent,
+            exponent,
+        }
     }
 
     /// The scale times `2^bits`.
     pub fn doubled(&self, bits: u32) -> ScaleRef<'_> {
-        ScaleRef { odd: &self.odd, exponent: self.exponent + bits }
+        ScaleRef {
+            odd: &self.odd,
+            exponent: self.exponent + bits,
+        }
     }
 
     /// The integer itself.
@@ -162,20 +169,34 @@ impl Chain {
             let numbers = weights.numerators();
             numbers.iter().any(|weight| *weight != numbers[0])
         });
-        let axis = |k: usize, i: usize| if i < dimension { numerators[k * dimension + i].clone() } else { Integer::default() };
+        let axis = |k: usize, i: usize| {
+            if i < dimension {
+                numerators[k * dimension + i].clone()
+            } else {
+                Integer::default()
+            }
+        };
         match weights {
             None => {
                 // The common case without big integers in between.
                 let narrow: Option<Vec<[i64; 3]>> = (0..=piece.degree())
                     .map(|k| {
-                        let axis = |i: usize| if i < dimension { numerators[k * dimension + i].to_i64() } else { Some(0) };
+                        let axis = |i: usize| {
+                            if i < dimension {
+                                numerators[k * dimension + i].to_i64()
+                            } else {
+                                Some(0)
+                            }
+                        };
                         Some([axis(0)?, axis(1)?, axis(2)?])
                     })
                     .collect();
                 match narrow {
                     Some(points) => self.push_polynomial(&points, piece.points.denominator()),
                     None => {
-                        let points: Vec<[Integer; 3]> = (0..=piece.degree()).map(|k| [axis(k, 0), axis(k, 1), axis(k, 2)]).collect();
+                        let points: Vec<[Integer; 3]> = (0..=piece.degree())
+                            .map(|k| [axis(k, 0), axis(k, 1), axis(k, 2)])
+                            .collect();
                         self.push_polynomial(&points, piece.points.denominator())
                     }
                 }
@@ -188,7 +209,11 @@ impl Chain {
                     .enumerate()
                     .map(|(k, v)| [0, 1, 2].map(|i| v * &axis(k, i)))
                     .collect();
-                let scaled: Vec<Integer> = weights.numerators().iter().map(|v| v * piece.points.denominator()).collect();
+                let scaled: Vec<Integer> = weights
+                    .numerators()
+                    .iter()
+                    .map(|v| v * piece.points.denominator())
+                    .collect();
                 self.push_rational(&points, &scaled, &(piece.points.denominator() * weights.denominator()))
             }
         }
@@ -199,7 +224,15 @@ impl Chain {
         let dimension = self.dimension;
         let stride = dimension + usize::from(has_weights);
         let rows: Vec<&[Integer]> = values.numerators().chunks(stride).collect();
-        let point = |row: &[Integer]| [0, 1, 2].map(|i| if i < dimension { row[i].clone() } else { Integer::default() });
+        let point = |row: &[Integer]| {
+            [0, 1, 2].map(|i| {
+                if i < dimension {
+                    row[i].clone()
+                } else {
+                    Integer::default()
+                }
+            })
+        };
         let points: Vec<[Integer; 3]> = rows.iter().map(|row| point(row)).collect();
         if !has_weights {
             return self.push_polynomial(&points, values.denominator());
@@ -221,11 +254,23 @@ impl Chain {
         self.push(degree, degree - 1, points, &[], scale.clone(), scale)
     }
 
-    fn push_rational(&mut self, points: &[[Integer; 3]], weights: &[Integer], denominator: &Integer) -> Result<(), usize> {
+    fn push_rational(
+        &mut self,
+        points: &[[Integer; 3]],
+        weights: &[Integer],
+        denominator: &Integer,
+    ) -> Result<(), usize> {
         let degree = weights.len() - 1;
         let (_, multiple) = rational_field_factors(degree);
         let tangent_scale = Scale::new(&(denominator * denominator * multiple));
-        self.push(degree, 2 * degree - 2, points, weights, Scale::new(&Integer::from(1)), tangent_scale)
+        self.push(
+            degree,
+            2 * degree - 2,
+            points,
+            weights,
+            Scale::new(&Integer::from(1)),
+            tangent_scale,
+        )
     }
 
     fn push<W: Word>(
@@ -254,7 +299,9 @@ impl Chain {
             start
         } else {
             piece.width = Width::Large;
-            self.large.push(points, weights).expect("unbounded integers do not overflow")
+            self.large
+                .push(points, weights)
+                .expect("unbounded integers do not overflow")
         };
         (piece.points, piece.weights) = start;
         let number = self.pieces.len();
@@ -295,7 +342,11 @@ impl Chain {
     pub fn end_point(&self, piece: usize, end: bool) -> ([Integer; 3], Integer) {
         let numbers: OwnedNumbers<Integer> = self.numbers_as(piece).expect("unbounded integers do not overflow");
         let k = if end { numbers.points.len() - 1 } else { 0 };
-        let weight = if numbers.weights.is_empty() { self.pieces[piece].point_scale.value() } else { numbers.weights[k].clone() };
+        let weight = if numbers.weights.is_empty() {
+            self.pieces[piece].point_scale.value()
+        } else {
+            numbers.weights[k].clone()
+        };
         (numbers.points[k].clone(), weight)
     }
 
@@ -406,8 +457,16 @@ impl<W: Word> Storage<W> {
     fn numbers(&self, piece: &Piece) -> Numbers<'_, W> {
         let count = piece.degree + 1;
         let (points, rest) = self.vectors[piece.points..].split_at(count);
-        let weights = if piece.rational { &self.weights[piece.weights..piece.weights + count] } else { &[] };
-        Numbers { points, weights, tangents: &rest[..=piece.tangent_degree] }
+        let weights = if piece.rational {
+            &self.weights[piece.weights..piece.weights + count]
+        } else {
+            &[]
+        };
+        Numbers {
+            points,
+            weights,
+            tangents: &rest[..=piece.tangent_degree],
+        }
     }
 }
 
@@ -425,7 +484,8 @@ fn rational_field_factors(degree: usize) -> (Vec<Terms>, Integer) {
             ((k + 1).saturating_sub(n)..=k / 2)
                 .map(|i| {
                     let j = k - i + 1;
-                    let factor = Integer::from(k + 1 - 2 * i) * Integer::binomial(n, i) * Integer::binomial(n, j) * &share;
+                    let factor =
+                        Integer::from(k + 1 - 2 * i) * Integer::binomial(n, i) * Integer::binomial(n, j) * &share;
                     (i as usize, j as usize, factor)
                 })
                 .collect()
@@ -472,7 +532,11 @@ fn blossom_pieces(spline: &BSpline, dimension: usize) -> Vec<(RationalVector, bo
             let weight = weights.map(|weights| &weights.numerators()[k]);
             let scaled: Vec<Integer> = match weight {
                 None => point.to_vec(),
-                Some(w) => point.iter().map(|x| x * w).chain([w * spline.points().denominator()]).collect(),
+                Some(w) => point
+                    .iter()
+                    .map(|x| x * w)
+                    .chain([w * spline.points().denominator()])
+                    .collect(),
             };
             scaled
         })
@@ -488,10 +552,12 @@ fn blossom_pieces(spline: &BSpline, dimension: usize) -> Vec<(RationalVector, bo
         }
         // Knot differences are differences of numerators: their common denominator cancels in λ.
         let difference = |i: usize, r: usize| &knots[i + 1 + j - r] - &knots[i + j - p];
-        let multiples: Vec<Integer> =
-            (1..=p).map(|r| (r..=p).fold(Integer::from(1), |lcm, i| lcm.lcm(&difference(i, r)))).collect();
-        let shares: Vec<Vec<Integer>> =
-            (1..=p).map(|r| (r..=p).map(|i| multiples[r - 1].div_exact(&difference(i, r))).collect()).collect();
+        let multiples: Vec<Integer> = (1..=p)
+            .map(|r| (r..=p).fold(Integer::from(1), |lcm, i| lcm.lcm(&difference(i, r))))
+            .collect();
+        let shares: Vec<Vec<Integer>> = (1..=p)
+            .map(|r| (r..=p).map(|i| multiples[r - 1].div_exact(&difference(i, r))).collect())
+            .collect();
         let mut values = Vec::with_capacity((p + 1) * stride);
         for k in 0..=p {
             let mut d: Vec<Integer> = homogeneous[(j - p) * stride..(j + 1) * stride].to_vec();
@@ -508,7 +574,9 @@ fn blossom_pieces(spline: &BSpline, dimension: usize) -> Vec<(RationalVector, bo
             }
             values.extend_from_slice(&d[p * stride..]);
         }
-        let whole = multiples.iter().fold(denominator.clone(), |product, multiple| product * multiple);
+        let whole = multiples
+            .iter()
+            .fold(denominator.clone(), |product, multiple| product * multiple);
         let values = RationalVector::from_parts(values, whole).expect("knot differences are positive");
         pieces.push((values, weights.is_some()));
     }

@@ -27,7 +27,12 @@ impl<'c> Context<'c> {
     pub fn new(chain: &'c Chain, convention: Convention, grid: u32) -> Self {
         let elements = Elements::new(chain, convention);
         let boxes = Boxes::new(chain, &elements, grid);
-        Context { chain, elements, boxes, grid }
+        Context {
+            chain,
+            elements,
+            boxes,
+            grid,
+        }
     }
 
     /// What box coordinates are over.
@@ -37,8 +42,17 @@ impl<'c> Context<'c> {
 
     /// Does a leaf's obligation hold for the pair (A, B), or (A, A) when `b` is `None`?
     pub fn obligation(&self, a: &Node<'c>, b: Option<&Node<'c>>, leaf: &Leaf, lower: &Lower) -> Outcome {
-        let bits = if [Some(a), b].into_iter().flatten().any(|node| wide(node, &self.boxes)) { 64 } else { 0 };
-        let fails = |expected, found: &str| Err(Failure { expected, found: found.into() });
+        let bits = if [Some(a), b].into_iter().flatten().any(|node| wide(node, &self.boxes)) {
+            64
+        } else {
+            0
+        };
+        let fails = |expected, found: &str| {
+            Err(Failure {
+                expected,
+                found: found.into(),
+            })
+        };
         match (leaf, b) {
             (Leaf::Far(_), None) => fails("two different nodes", "one"),
             (Leaf::Far(n), Some(b)) => match lower {
@@ -46,7 +60,9 @@ impl<'c> Context<'c> {
                 Lower::Finite(lower) => widening!(bits, W => far::check::<W>(self, a, b, n, lower)),
             },
             (Leaf::NotNormal(_), None) => fails("two different nodes", "one"),
-            (Leaf::NotNormal([alpha, beta]), Some(b)) if !(alpha.is_zero() || beta.is_zero()) && (a.is_run() || b.is_run()) => {
+            (Leaf::NotNormal([alpha, beta]), Some(b))
+                if !(alpha.is_zero() || beta.is_zero()) && (a.is_run() || b.is_run()) =>
+            {
                 fails("one factor 0 for a run", "two factors")
             }
             (Leaf::NotNormal(factors), Some(b)) => widening!(bits, W => not_normal::check::<W>(self, a, b, factors)),
@@ -83,15 +99,28 @@ fn wide(node: &Node, boxes: &Boxes) -> bool {
 
 /// Replays the tokens of `source` against the pair (whole, whole); returns the number of leaves.
 pub fn replay<S: TokenSource>(context: &Context, lower: &Lower, source: &mut S) -> Result<u64, Box<Rejection>> {
-    let mut replay = Replay { context, lower, source, tokens: 0, leaves: 0 };
+    let mut replay = Replay {
+        context,
+        lower,
+        source,
+        token: 0,
+        tokens: 0,
+        leaves: 0,
+    };
     let whole = Node::whole(context.chain, &context.elements);
     replay.pair(&whole, None)?;
     match replay.source.next_token() {
         Ok(None) => Ok(replay.leaves),
-        Ok(Some(_)) => Err(Box::new(Rejection { place: Place::Token { number: replay.tokens }, reason: Reason::TokensLeft })),
+        Ok(Some(_)) => Err(Box::new(Rejection {
+            place: Place::Token { number: replay.tokens },
+            reason: Reason::TokensLeft,
+        })),
         Err(error) => {
             let place = Place::Token { number: replay.tokens };
-            Err(Box::new(Rejection { place, reason: Reason::Token(error.to_string()) }))
+            Err(Box::new(Rejection {
+                place,
+                reason: Reason::Token(error.to_string()),
+            }))
         }
     }
 }
@@ -100,6 +129,9 @@ struct Replay<'r, 'c, S> {
     context: &'r Context<'c>,
     lower: &'r Lower,
     source: &'r mut S,
+    /// Number of the token that is being worked on.
+    token: u64,
+    /// Tokens read.
     tokens: u64,
     leaves: u64,
 }
@@ -110,6 +142,7 @@ impl<'c, S: TokenSource> Replay<'_, 'c, S> {
         if b.is_none() && a.is_point() {
             return Ok(());
         }
+        self.token = self.tokens;
         let token = match self.source.next_token() {
             Ok(Some(token)) => token,
             Ok(None) => return Err(self.rejection(a, b, Reason::TokensMissing)),
@@ -119,9 +152,16 @@ impl<'c, S: TokenSource> Replay<'_, 'c, S> {
         match (&token, b) {
             (Token::Leaf(leaf), _) => {
                 self.leaves += 1;
-                self.context
-                    .obligation(a, b, leaf, self.lower)
-                    .map_err(|failure| self.rejection(a, b, Reason::Obligation { rule: leaf.rule(), failure }))
+                self.context.obligation(a, b, leaf, self.lower).map_err(|failure| {
+                    self.rejection(
+                        a,
+                        b,
+                        Reason::Obligation {
+                            rule: leaf.rule(),
+                            failure,
+                        },
+                    )
+                })
             }
             (Token::Split, None) => {
                 let (left, right) = self.halves(a, a, None)?;
@@ -144,12 +184,18 @@ impl<'c, S: TokenSource> Replay<'_, 'c, S> {
     }
 
     fn halves(&self, node: &Node<'c>, a: &Node, b: Option<&Node>) -> Result<(Node<'c>, Node<'c>), Box<Rejection>> {
-        self.context.halves(node).ok_or_else(|| self.rejection(a, b, Reason::CannotSplit))
+        self.context
+            .halves(node)
+            .ok_or_else(|| self.rejection(a, b, Reason::CannotSplit))
     }
 
     fn rejection(&self, a: &Node, b: Option<&Node>, reason: Reason) -> Box<Rejection> {
         let address = |node: &Node| node.address(self.context.chain, &self.context.elements);
-        let place = Place::Pair { token: self.tokens.saturating_sub(1), a: address(a), b: address(b.unwrap_or(a)) };
+        let place = Place::Pair {
+            token: self.token,
+            a: address(a),
+            b: address(b.unwrap_or(a)),
+        };
         Box::new(Rejection { place, reason })
     }
 }

@@ -54,13 +54,21 @@ impl Elements {
 
     /// How many there are.
     pub fn count(&self) -> usize {
-        if self.listed.is_empty() { self.pieces } else { self.listed.len() }
+        if self.listed.is_empty() {
+            self.pieces
+        } else {
+            self.listed.len()
+        }
     }
 
     /// Element number i.
     #[inline]
     pub fn get(&self, i: usize) -> Element {
-        if self.listed.is_empty() { Element::Piece(i) } else { self.listed[i] }
+        if self.listed.is_empty() {
+            Element::Piece(i)
+        } else {
+            self.listed[i]
+        }
     }
 }
 
@@ -93,14 +101,26 @@ pub struct Parameter {
 impl Parameter {
     fn new(piece: usize, index: u128, depth: u32) -> Self {
         if index == 0 {
-            return Parameter { piece, numerator: 0, depth: 0 };
+            return Parameter {
+                piece,
+                numerator: 0,
+                depth: 0,
+            };
         }
         let zeros = index.trailing_zeros().min(depth);
         let (numerator, depth) = (index >> zeros, depth - zeros);
         if depth == 0 {
-            return Parameter { piece: piece + 1, numerator: 0, depth: 0 };
+            return Parameter {
+                piece: piece + 1,
+                numerator: 0,
+                depth: 0,
+            };
         }
-        Parameter { piece, numerator, depth }
+        Parameter {
+            piece,
+            numerator,
+            depth,
+        }
     }
 }
 
@@ -109,7 +129,13 @@ impl fmt::Display for Parameter {
         if self.depth == 0 {
             write!(f, "{}", self.piece)
         } else {
-            write!(f, "{}+{}/{}", self.piece, self.numerator, Integer::from(1) << self.depth)
+            write!(
+                f,
+                "{}+{}/{}",
+                self.piece,
+                self.numerator,
+                Integer::from(1) << self.depth
+            )
         }
     }
 }

@@ -49,14 +49,21 @@ impl<'s, W: Word> Hull<'s, W> {
                     Geometry::Wide(block) => Shape::of_block(block),
                     Geometry::Large(block) => Shape::of_block(block),
                 }?;
-                Some(Hull { shape, scale: part.point_scale(context.chain) })
+                Some(Hull {
+                    shape,
+                    scale: part.point_scale(context.chain),
+                })
             }
         }
     }
 
     /// Points of a section of a piece: integers over `scale`, or over a weight each when there are weights.
     pub fn of_points(points: Vec<[W; 3]>, weights: Vec<W>, scale: ScaleRef<'s>) -> Self {
-        let shape = if weights.is_empty() { Shape::Shared(points) } else { Shape::Each(points, weights) };
+        let shape = if weights.is_empty() {
+            Shape::Shared(points)
+        } else {
+            Shape::Each(points, weights)
+        };
         Hull { shape, scale }
     }
 
@@ -84,7 +91,10 @@ impl<'s, W: Word> Hull<'s, W> {
                 Some(Extremes::One(best, shared.clone()))
             }
             Shape::Each(points, weights) => {
-                let values = points.iter().zip(weights).map(|(point, weight)| Some((dot(n, point)?, weight.clone())));
+                let values = points
+                    .iter()
+                    .zip(weights)
+                    .map(|(point, weight)| Some((dot(n, point)?, weight.clone())));
                 Some(Extremes::Many(values.collect::<Option<_>>()?))
             }
         }
@@ -128,8 +138,14 @@ enum Extremes<W> {
 impl<W> Extremes<W> {
     fn as_slice(&self) -> Candidates<'_, W> {
         match self {
-            Extremes::One(value, weight) => Candidates { one: Some((value, weight)), many: &[] },
-            Extremes::Many(values) => Candidates { one: None, many: values },
+            Extremes::One(value, weight) => Candidates {
+                one: Some((value, weight)),
+                many: &[],
+            },
+            Extremes::Many(values) => Candidates {
+                one: None,
+                many: values,
+            },
         }
     }
 }
@@ -168,7 +184,11 @@ pub fn bring_together<'s, W: Word>(a: ScaleRef<'s>, b: ScaleRef<'s>) -> Option<(
     let one = W::from_i128(1)?;
     if a.odd == b.odd {
         let common = ScaleRef { odd: a.odd, exponent };
-        return Some((one.doubled(a.exponent - exponent)?, one.doubled(b.exponent - exponent)?, common));
+        return Some((
+            one.doubled(a.exponent - exponent)?,
+            one.doubled(b.exponent - exponent)?,
+            common,
+        ));
     }
     let factor = |scale: ScaleRef| W::from_integer(scale.odd)?.doubled(scale.exponent - exponent);
     Some((factor(a)?, factor(b)?, ScaleRef::power_of_two(exponent)))
@@ -182,7 +202,13 @@ impl<'h, W: Word> Gap<'h, W> {
             (Some(scale_a), Some(scale_b)) => bring_together(scale_a, scale_b)?,
             (scale_a, scale_b) => (value(scale_a)?, value(scale_b)?, ScaleRef::power_of_two(0)),
         };
-        Some(Gap { a, b, weight_a, weight_b, common })
+        Some(Gap {
+            a,
+            b,
+            weight_a,
+            weight_b,
+            common,
+        })
     }
 
     /// Calls `test` with integers G, w, v such that n·p − n·q = G/(w·v·common), for pairs (p, q) among which are the

@@ -63,14 +63,24 @@ impl<'c, W: Word> Block<'c, W> {
             weights: Cow::Owned(weights),
             tangents: Cow::Owned(tangents),
         };
-        Some((block(left_points, left_weights, left_tangents), block(right_points, right_weights, right_tangents)))
+        Some((
+            block(left_points, left_weights, left_tangents),
+            block(right_points, right_weights, right_tangents),
+        ))
     }
 
     fn widened<V: Word>(&self) -> Block<'static, V> {
-        let vectors = |from: &[[W; 3]]| -> Vec<[V; 3]> { from.iter().map(|v| convert(v).expect("the width is greater")).collect() };
+        let vectors = |from: &[[W; 3]]| -> Vec<[V; 3]> {
+            from.iter().map(|v| convert(v).expect("the width is greater")).collect()
+        };
         Block {
             points: Cow::Owned(vectors(&self.points)),
-            weights: Cow::Owned(self.weights.iter().map(|w| convert_one(w).expect("the width is greater")).collect()),
+            weights: Cow::Owned(
+                self.weights
+                    .iter()
+                    .map(|w| convert_one(w).expect("the width is greater"))
+                    .collect(),
+            ),
             tangents: Cow::Owned(vectors(&self.tangents)),
         }
     }
@@ -86,7 +96,11 @@ fn halve_vectors<W: Word>(coefficients: &[[W; 3]]) -> Halves<[W; 3]> {
     for k in 0..=degree {
         let shift = (degree - k) as u32;
         let first = &row[0];
-        left.push([first[0].doubled(shift)?, first[1].doubled(shift)?, first[2].doubled(shift)?]);
+        left.push([
+            first[0].doubled(shift)?,
+            first[1].doubled(shift)?,
+            first[2].doubled(shift)?,
+        ]);
         // After this step, the entries 0 … n−k−1 are the next row and entry n−k is the last of the present one.
         for i in 0..degree - k {
             let (a, b) = (&row[i], &row[i + 1]);
@@ -120,7 +134,12 @@ impl<'c> Part<'c> {
             Width::Wide => Geometry::Wide(Block::whole(chain.wide_numbers(piece))),
             Width::Large => Geometry::Large(Block::whole(chain.large_numbers(piece))),
         };
-        Part { piece, index: 0, depth: 0, geometry }
+        Part {
+            piece,
+            index: 0,
+            depth: 0,
+            geometry,
+        }
     }
 
     /// The two halves, or `None` at [`MAX_DEPTH`].
@@ -129,7 +148,12 @@ impl<'c> Part<'c> {
             return None;
         }
         let (left, right) = self.geometry.halves();
-        let part = |index, geometry| Part { piece: self.piece, index, depth: self.depth + 1, geometry };
+        let part = |index, geometry| Part {
+            piece: self.piece,
+            index,
+            depth: self.depth + 1,
+            geometry,
+        };
         Some((part(2 * self.index, left), part(2 * self.index + 1, right)))
     }
 
@@ -188,7 +212,12 @@ mod tests {
         fn of<W: Word>(block: &Block<W>, scale: &Integer) -> Vec<[Rational; 2]> {
             let weight = |k: usize| block.weights.get(k).map_or(scale.clone(), Word::to_integer);
             let fraction = |x: &W, k: usize| Rational::new(x.to_integer(), weight(k));
-            block.points.iter().enumerate().map(|(k, p)| [fraction(&p[0], k), fraction(&p[1], k)]).collect()
+            block
+                .points
+                .iter()
+                .enumerate()
+                .map(|(k, p)| [fraction(&p[0], k), fraction(&p[1], k)])
+                .collect()
         }
         let scale = part.point_scale(chain).value();
         match &part.geometry {
@@ -201,7 +230,11 @@ mod tests {
     fn tangents(part: &Part, chain: &Chain) -> Vec<[Rational; 2]> {
         fn of<W: Word>(block: &Block<W>, scale: &Integer) -> Vec<[Rational; 2]> {
             let fraction = |x: &W| Rational::new(x.to_integer(), scale.clone());
-            block.tangents.iter().map(|v| [fraction(&v[0]), fraction(&v[1])]).collect()
+            block
+                .tangents
+                .iter()
+                .map(|v| [fraction(&v[0]), fraction(&v[1])])
+                .collect()
         }
         let scale = part.tangent_scale(chain).value();
         match &part.geometry {
@@ -256,6 +289,9 @@ mod tests {
             part = part.halves().unwrap().1;
         }
         assert!(part.halves().is_none());
-        assert_eq!(points(&part, &chain)[3], [Rational::new(7.into(), 3.into()), Rational::new(7.into(), 3.into())]);
+        assert_eq!(
+            points(&part, &chain)[3],
+            [Rational::new(7.into(), 3.into()), Rational::new(7.into(), 3.into())]
+        );
     }
 }

@@ -42,14 +42,29 @@ pub fn is_parameter(chain: &Chain, s: &Rational) -> bool {
 /// are such.
 pub fn joint_pieces(chain: &Chain, joint: usize) -> (Option<usize>, Option<usize>) {
     let count = chain.count();
-    let before = if joint > 0 { Some(joint - 1) } else { chain.closed.then(|| count - 1) };
-    let after = if joint < count { Some(joint) } else { chain.closed.then_some(0) };
+    if joint > count {
+        return (None, None);
+    }
+    let before = if joint > 0 {
+        Some(joint - 1)
+    } else {
+        chain.closed.then(|| count - 1)
+    };
+    let after = if joint < count {
+        Some(joint)
+    } else {
+        chain.closed.then_some(0)
+    };
     (before, after)
 }
 
 /// The integer parameter `s` is, if it is one.
 pub fn as_joint(s: &Rational) -> Option<usize> {
-    if s.is_integer() { usize::try_from(s.numer().to_u64()?).ok() } else { None }
+    if s.is_integer() {
+        usize::try_from(s.numer().to_u64()?).ok()
+    } else {
+        None
+    }
 }
 
 /// Where a parameter lies, seen from a side; `None` when there is no piece on that side.
@@ -57,13 +72,22 @@ pub fn locate(chain: &Chain, s: &Rational, side: Side) -> Option<Location> {
     if let Some(joint) = as_joint(s) {
         let (before, after) = joint_pieces(chain, joint);
         return match side {
-            Side::Before => Some(Location { piece: before?, local: Rational::from_integer(1.into()) }),
-            Side::After => Some(Location { piece: after?, local: Rational::from_integer(0.into()) }),
+            Side::Before => Some(Location {
+                piece: before?,
+                local: Rational::from_integer(1.into()),
+            }),
+            Side::After => Some(Location {
+                piece: after?,
+                local: Rational::from_integer(0.into()),
+            }),
         };
     }
     let piece = whole_part(s);
     let local = s - Rational::from_integer(piece.clone());
-    Some(Location { piece: usize::try_from(piece.to_u64()?).ok()?, local })
+    let piece = usize::try_from(piece.to_u64()?)
+        .ok()
+        .filter(|piece| *piece < chain.count())?;
+    Some(Location { piece, local })
 }
 
 /// The sections of an interval, and the joint strictly inside it, if any.
@@ -71,19 +95,39 @@ pub fn sections(chain: &Chain, interval: &Interval) -> Option<(Vec<Section>, Opt
     let (start, end) = (&interval.start, &interval.end);
     let one = Rational::from_integer(1.into());
     let count = Rational::from_integer(chain.count().into());
-    if start.numer().is_negative() || *start >= count || start >= end || end - start > one || (!chain.closed && *end > count) {
+    if start.numer().is_negative()
+        || *start >= count
+        || start >= end
+        || end - start > one
+        || (!chain.closed && *end > count)
+    {
         return None;
     }
     let first = usize::try_from(whole_part(start).to_u64()?).ok()?;
     let base = Rational::from_integer(first.into());
     let (from, to) = (start - &base, end - &base);
     if to <= one {
-        return Some((vec![Section { piece: first, start: from, end: to }], None));
+        return Some((
+            vec![Section {
+                piece: first,
+                start: from,
+                end: to,
+            }],
+            None,
+        ));
     }
     let next = (first + 1) % chain.count();
     let zero = Rational::from_integer(0.into());
-    let before = Section { piece: first, start: from, end: one.clone() };
-    let after = Section { piece: next, start: zero, end: to - one };
+    let before = Section {
+        piece: first,
+        start: from,
+        end: one.clone(),
+    };
+    let after = Section {
+        piece: next,
+        start: zero,
+        end: to - one,
+    };
     Some((vec![before, after], Some(next)))
 }
 
@@ -100,21 +144,37 @@ impl Section {
     pub fn subdivided(&self, count: u32) -> Vec<Section> {
         let step = (&self.end - &self.start) / Rational::from_integer(count.into());
         let at = |i: u32| &self.start + &step * Rational::from_integer(i.into());
-        (0..count).map(|i| Section { piece: self.piece, start: at(i), end: at(i + 1) }).collect()
+        (0..count)
+            .map(|i| Section {
+                piece: self.piece,
+                start: at(i),
+                end: at(i + 1),
+            })
+            .collect()
     }
 
     fn start_location(&self) -> Location {
-        Location { piece: self.piece, local: self.start.clone() }
+        Location {
+            piece: self.piece,
+            local: self.start.clone(),
+        }
     }
 
     fn end_location(&self) -> Location {
-        Location { piece: self.piece, local: self.end.clone() }
+        Location {
+            piece: self.piece,
+            local: self.end.clone(),
+        }
     }
 }
 
 /// The location where a list of sections starts, or ends.
 pub fn end_of(sections: &[Section], end: bool) -> Location {
-    if end { sections[sections.len() - 1].end_location() } else { sections[0].start_location() }
+    if end {
+        sections[sections.len() - 1].end_location()
+    } else {
+        sections[0].start_location()
+    }
 }
 
 /// A point of the curve and D there.
@@ -156,7 +216,10 @@ impl<W: Word> HullAndField<W> {
 /// The common denominator b of some parameters, and their numerators over it.
 fn numerators(parameters: &[&Rational]) -> (Integer, Vec<Integer>) {
     let denominator = parameters.iter().fold(Integer::from(1), |lcm, u| lcm.lcm(u.denom()));
-    let over = parameters.iter().map(|u| u.numer() * denominator.div_exact(u.denom())).collect();
+    let over = parameters
+        .iter()
+        .map(|u| u.numer() * denominator.div_exact(u.denom()))
+        .collect();
     (denominator, over)
 }
 
@@ -197,11 +260,18 @@ pub fn section<W: Word>(chain: &Chain, section: &Section) -> Option<HullAndField
     let piece = &chain.pieces[section.piece];
     let numbers: OwnedNumbers<W> = chain.numbers_as(section.piece)?;
     let (denominator, over) = numerators(&[&section.start, &section.end]);
-    let (b, start, end) = (W::from_integer(&denominator)?, W::from_integer(&over[0])?, W::from_integer(&over[1])?);
+    let (b, start, end) = (
+        W::from_integer(&denominator)?,
+        W::from_integer(&over[0])?,
+        W::from_integer(&over[1])?,
+    );
     let points = restricted(&numbers.points, &start, &end, &b)?;
     let weights = match numbers.weights.is_empty() {
         true => Vec::new(),
-        false => restricted(&on_first_axis(&numbers.weights), &start, &end, &b)?.into_iter().map(|[w, _, _]| w).collect(),
+        false => restricted(&on_first_axis(&numbers.weights), &start, &end, &b)?
+            .into_iter()
+            .map(|[w, _, _]| w)
+            .collect(),
     };
     Some(HullAndField {
         points,

@@ -22,7 +22,10 @@ struct Group<'s> {
 impl<'s, W: Word> Tangents<'s, W> {
     /// T of a node; `None` if it does not fit this width.
     pub fn new(context: &'s Context, node: &Node) -> Option<Self> {
-        let mut tangents = Tangents { vectors: Vec::new(), groups: Vec::new() };
+        let mut tangents = Tangents {
+            vectors: Vec::new(),
+            groups: Vec::new(),
+        };
         match node {
             Node::Run { first, last, .. } => {
                 for element in *first..*last {
@@ -44,7 +47,11 @@ impl<'s, W: Word> Tangents<'s, W> {
             Geometry::Wide(block) => self.push_nonzero(block),
             Geometry::Large(block) => self.push_nonzero(block),
         }?;
-        self.groups.push(Group { end: self.vectors.len(), scale: part.tangent_scale(context.chain), of_piece: true });
+        self.groups.push(Group {
+            end: self.vectors.len(),
+            scale: part.tangent_scale(context.chain),
+            of_piece: true,
+        });
         Some(())
     }
 
@@ -71,7 +78,11 @@ impl<'s, W: Word> Tangents<'s, W> {
         for (piece, end) in directions {
             self.vectors.push(vector(&chain.end_direction(piece, end))?);
             let scale = chain.pieces[piece].tangent_scale.doubled(0);
-            self.groups.push(Group { end: self.vectors.len(), scale, of_piece: false });
+            self.groups.push(Group {
+                end: self.vectors.len(),
+                scale,
+                of_piece: false,
+            });
         }
         Some(())
     }

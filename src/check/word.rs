@@ -99,6 +99,21 @@ macro_rules! machine_word {
 machine_word!(i64);
 machine_word!(i128);
 
+/// The product of two 128-bit integers, which always fits: its magnitude is at most 2^254.
+#[inline]
+fn full_product(a: i128, b: i128) -> I256 {
+    const LOW: u128 = u64::MAX as u128;
+    let (x, y) = (a.unsigned_abs(), b.unsigned_abs());
+    let (x1, x0, y1, y0) = (x >> 64, x & LOW, y >> 64, y & LOW);
+    // Four products of 64 bits each; the middle sum is below 3·2^64.
+    let low = x0 * y0;
+    let cross = x1 * y0;
+    let middle = (low >> 64) + (cross & LOW) + x0 * y1 % (1 << 64);
+    let high = x1 * y1 + (cross >> 64) + (x0 * y1 >> 64) + (middle >> 64);
+    let magnitude = I256::from_words(high as i128, (middle << 64 | low & LOW) as i128);
+    if (a < 0) == (b < 0) { magnitude } else { -magnitude }
+}
+
 impl Word for I256 {
     #[inline]
     fn zero() -> Self {
@@ -117,7 +132,8 @@ impl Word for I256 {
         }
         let low_part = value - ((value >> 127u32) << 127u32);
         let high = I256::from((value >> 127u32).to_i128()?);
-        high.checked_mul(I256::ONE << 127u32)?.checked_add(I256::from(low_part.to_i128()?))
+        high.checked_mul(I256::ONE << 127u32)?
+            .checked_add(I256::from(low_part.to_i128()?))
     }
     fn to_integer(&self) -> Integer {
         let (high, low) = self.into_words();
@@ -138,10 +154,7 @@ impl Word for I256 {
     #[inline]
     fn times(&self, other: &Self) -> Option<Self> {
         match (i128::try_from(*self), i128::try_from(*other)) {
-            (Ok(a), Ok(b)) => match a.checked_mul(b) {
-                Some(product) => Some(I256::from(product)),
-                None => self.checked_mul(*other),
-            },
+            (Ok(a), Ok(b)) => Some(full_product(a, b)),
             _ => self.checked_mul(*other),
         }
     }
@@ -236,7 +249,11 @@ pub fn combine<W: Word>(a: &W, x: &[W; 3], b: &W, y: &[W; 3]) -> Option<[W; 3]> 
 
 /// A vector of three integers in this width.
 pub fn vector<W: Word>(v: &[Integer; 3]) -> Option<[W; 3]> {
-    Some([W::from_integer(&v[0])?, W::from_integer(&v[1])?, W::from_integer(&v[2])?])
+    Some([
+        W::from_integer(&v[0])?,
+        W::from_integer(&v[1])?,
+        W::from_integer(&v[2])?,
+    ])
 }
 
 #[cfg(test)]
@@ -265,6 +282,16 @@ mod tests {
                     assert_eq!(i128::from_integer(&value).is_some(), value.to_i128().is_some());
                     assert_eq!(i64::from_integer(&value).is_some(), value.to_i64().is_some());
                 }
+            }
+        }
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn products_of_128_bits(a: i128, b: i128, shift in 0u32..127, other in 0u32..127) {
+            for (a, b) in [(a >> shift, b >> other), (a, i128::MIN), (i128::MIN, i128::MIN), (i128::MAX, b), (-1, b)] {
+                let product = I256::from(a).times(&I256::from(b)).expect("fits");
+                proptest::prop_assert_eq!(product.to_integer(), Integer::from(a) * Integer::from(b));
             }
         }
     }

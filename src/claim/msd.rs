@@ -22,7 +22,9 @@ impl Convention {
 
     /// The convention of a name.
     pub fn from_name(name: &str) -> Option<Self> {
-        [Convention::Smooth, Convention::Critical].into_iter().find(|convention| convention.name() == name)
+        [Convention::Smooth, Convention::Critical]
+            .into_iter()
+            .find(|convention| convention.name() == name)
     }
 }
 

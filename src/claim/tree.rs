@@ -84,7 +84,11 @@ impl std::error::Error for TokenError {}
 
 impl From<io::Error> for TokenError {
     fn from(error: io::Error) -> Self {
-        if error.kind() == io::ErrorKind::UnexpectedEof { TokenError::Truncated } else { TokenError::Io(error) }
+        if error.kind() == io::ErrorKind::UnexpectedEof {
+            TokenError::Truncated
+        } else {
+            TokenError::Io(error)
+        }
     }
 }
 
@@ -118,19 +122,35 @@ impl<R: Read> BinaryTokens<R> {
 }
 
 fn unit_vector(axis: usize, negative: bool) -> [Integer; 3] {
-    std::array::from_fn(|i| Integer::from(if i != axis { 0 } else if negative { -1 } else { 1 }))
+    std::array::from_fn(|i| {
+        Integer::from(if i != axis {
+            0
+        } else if negative {
+            -1
+        } else {
+            1
+        })
+    })
 }
 
 fn unit_factors(code: u8) -> [Integer; 2] {
     let one = Integer::from(if code & 1 == 0 { 1 } else { -1 });
-    if code & 2 == 0 { [one, Integer::default()] } else { [Integer::default(), one] }
+    if code & 2 == 0 {
+        [one, Integer::default()]
+    } else {
+        [Integer::default(), one]
+    }
 }
 
 impl<R: Read> TokenSource for BinaryTokens<R> {
     fn next_token(&mut self) -> Result<Option<Token>, TokenError> {
         let mut byte = [0u8];
         if let Err(error) = self.source.read_exact(&mut byte) {
-            return if error.kind() == io::ErrorKind::UnexpectedEof { Ok(None) } else { Err(error.into()) };
+            return if error.kind() == io::ErrorKind::UnexpectedEof {
+                Ok(None)
+            } else {
+                Err(error.into())
+            };
         }
         let axes = 2 * self.dimension as u8;
         Ok(Some(match byte[0] {
@@ -202,8 +222,9 @@ pub fn parse_token(text: &str, dimension: usize) -> Result<Token, TokenError> {
     let malformed = || TokenError::Malformed(format!("{:?}", text.chars().take(80).collect::<String>()));
     let mut words = text.split(' ');
     let rule = words.next().unwrap_or_default();
-    let integers: Vec<Integer> =
-        words.map(|word| canonical_integer(word).ok_or_else(malformed)).collect::<Result<_, _>>()?;
+    let integers: Vec<Integer> = words
+        .map(|word| canonical_integer(word).ok_or_else(malformed))
+        .collect::<Result<_, _>>()?;
     let count = match rule {
         "split" | "first" | "second" => 0,
         "far" | "cone" => dimension,
@@ -231,7 +252,11 @@ pub fn canonical_integer(text: &str) -> Option<Integer> {
     let digits = text.strip_prefix('-').unwrap_or(text);
     let canonical = digits == "0" && text == "0"
         || digits.starts_with(|c: char| ('1'..='9').contains(&c)) && digits.bytes().all(|c| c.is_ascii_digit());
-    if canonical && digits.len() <= 20_000 { text.parse().ok() } else { None }
+    if canonical && digits.len() <= 20_000 {
+        text.parse().ok()
+    } else {
+        None
+    }
 }
 
 /// Appends an unsigned varint (FORMAT §7); the number must not be negative.
@@ -267,7 +292,14 @@ pub fn write_signed_varint(value: &Integer, out: &mut Vec<u8>) {
         return;
     }
     let doubled = value << 1u32;
-    write_varint(&if doubled.sign().is_lt() { -doubled - Integer::from(1) } else { doubled }, out);
+    write_varint(
+        &if doubled.sign().is_lt() {
+            -doubled - Integer::from(1)
+        } else {
+            doubled
+        },
+        out,
+    );
 }
 
 /// Reads an unsigned varint of at most `max_bits` bits.
@@ -296,7 +328,11 @@ pub fn read_varint<R: Read>(source: &mut R, max_bits: u64) -> Result<Integer, To
         }
         bits += 7;
         if !more {
-            let value = if large.is_empty() { Integer::from(small) } else { Integer::from_magnitude_bytes_le(false, &large) };
+            let value = if large.is_empty() {
+                Integer::from(small)
+            } else {
+                Integer::from_magnitude_bytes_le(false, &large)
+            };
             if value.bits() > max_bits {
                 return Err(TokenError::Malformed(format!("a number above {max_bits} bits")));
             }
@@ -325,9 +361,17 @@ pub fn read_signed_varint<R: Read>(source: &mut R, max_bits: u64) -> Result<Inte
         return Ok(Integer::from(if small & 1 == 0 { magnitude } else { -magnitude - 1 }));
     }
     let half = &value >> 1u32;
-    let value = if (&half << 1u32) == value { half } else { -half - Integer::from(1) };
+    let value = if (&half << 1u32) == value {
+        half
+    } else {
+        -half - Integer::from(1)
+    };
     // −2^bits has one bit more than its varint suggests.
-    if value.bits() > max_bits { Err(TokenError::Malformed(format!("a number above {max_bits} bits"))) } else { Ok(value) }
+    if value.bits() > max_bits {
+        Err(TokenError::Malformed(format!("a number above {max_bits} bits")))
+    } else {
+        Ok(value)
+    }
 }
 
 #[cfg(test)]
@@ -371,7 +415,11 @@ mod tests {
 
     #[test]
     fn unit_witnesses_take_one_byte() {
-        for (text, byte) in [("far 0 -1 0", 0x13), ("not_normal 0 -1", 0x23), ("not_normal 1 0", 0x20)] {
+        for (text, byte) in [
+            ("far 0 -1 0", 0x13),
+            ("not_normal 0 -1", 0x23),
+            ("not_normal 1 0", 0x20),
+        ] {
             let mut bytes = Vec::new();
             write_token(&parse_token(text, 3).unwrap(), 3, &mut bytes);
             assert_eq!(bytes, [byte]);
@@ -380,11 +428,26 @@ mod tests {
 
     #[test]
     fn other_spellings_are_refused() {
-        for text in ["", "far", "far 1 2", "far 1 2 3 4", "far 01 0 0", "far +1 0 0", "far 1  0 0", "far -0 0 1", "bend 1 x", "Split", "split "] {
+        for text in [
+            "",
+            "far",
+            "far 1 2",
+            "far 1 2 3 4",
+            "far 01 0 0",
+            "far +1 0 0",
+            "far 1  0 0",
+            "far -0 0 1",
+            "bend 1 x",
+            "Split",
+            "split ",
+        ] {
             assert!(parse_token(text, 3).is_err(), "{text:?}");
         }
         assert!(read_varint(&mut [0x80u8, 0x00].as_slice(), 64).is_err());
-        assert!(matches!(read_varint(&mut [0x80u8].as_slice(), 64), Err(TokenError::Truncated)));
+        assert!(matches!(
+            read_varint(&mut [0x80u8].as_slice(), 64),
+            Err(TokenError::Truncated)
+        ));
         assert!(read_varint(&mut [0xffu8; 30].as_slice(), 64).is_err());
     }
 }

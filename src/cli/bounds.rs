@@ -1,9 +1,7 @@
 //! Bounds of σ as decimals rounded outward, and in words.
 
 use knotproof::claim::msd::{Lower, Statement};
-use knotproof::number::{
-    Rational, RationalExt, interval_digits, sqrt_decimal_down, sqrt_decimal_up, sqrt_enclosure,
-};
+use knotproof::number::{Rational, RationalExt, interval_digits, sqrt_decimal_down, sqrt_decimal_up, sqrt_enclosure};
 use serde::Serialize;
 
 /// Digits of a bound that stands alone.
@@ -51,10 +49,7 @@ fn decimals(statement: &Statement, digits: usize) -> (Option<String>, Option<Str
     let upper = statement.upper_squared.as_ref();
     let digits = match (lower, upper) {
         (Some(lower), Some(upper)) if !lower.numer().is_zero() => {
-            let (lower, upper) = (
-                sqrt_enclosure(lower, ROOT_BITS).0,
-                sqrt_enclosure(upper, ROOT_BITS).1,
-            );
+            let (lower, upper) = (sqrt_enclosure(lower, ROOT_BITS).0, sqrt_enclosure(upper, ROOT_BITS).1);
             interval_digits(&lower, &upper).max(digits)
         }
         _ => DIGITS_ALONE,
@@ -73,23 +68,15 @@ pub fn relative_width(statement: &Statement) -> Option<String> {
         _ => return None,
     };
     let upper = statement.upper_squared.as_ref()?;
-    let (lower, upper) = (
-        sqrt_enclosure(lower, ROOT_BITS).0,
-        sqrt_enclosure(upper, ROOT_BITS).1,
-    );
-    Some(knotproof::number::decimal_up(
-        &((&upper - lower) / &upper),
-        2,
-    ))
+    let (lower, upper) = (sqrt_enclosure(lower, ROOT_BITS).0, sqrt_enclosure(upper, ROOT_BITS).1);
+    Some(knotproof::number::decimal_up(&((&upper - lower) / &upper), 2))
 }
 
 /// What a statement says of σ, for people, without a verb at its beginning.
 pub fn in_words(statement: &Statement) -> String {
     match decimals(statement, DIGITS_AT_LEAST) {
         (None, _) => "there is no double normal, σ is infinite".into(),
-        (Some(_), Some(upper)) if upper == "0" => {
-            "σ is 0, the curve passes twice through a point".into()
-        }
+        (Some(_), Some(upper)) if upper == "0" => "σ is 0, the curve passes twice through a point".into(),
         (Some(lower), Some(upper)) if lower == upper => format!("σ is exactly {lower}"),
         (Some(lower), Some(upper)) if lower == "0" => {
             format!("σ at most {upper}, no lower bound above 0")

@@ -211,9 +211,7 @@ impl Outcome {
                 ..
             } => format!("rejected: {input}: {place}: {reason}\n"),
             Outcome::Rejected {
-                place: None,
-                reason,
-                ..
+                place: None, reason, ..
             } => format!("rejected: {input}: {reason}\n"),
             Outcome::Unreadable { .. } => String::new(),
         }

@@ -83,11 +83,7 @@ impl Input {
 
 /// Refuses a command line that reads standard input more than once.
 pub fn standard_input_once<'i>(inputs: impl IntoIterator<Item = &'i Input>) -> Result<(), Failure> {
-    match inputs
-        .into_iter()
-        .filter(|input| **input == Input::Standard)
-        .count()
-    {
+    match inputs.into_iter().filter(|input| **input == Input::Standard).count() {
         0 | 1 => Ok(()),
         _ => Err(Failure::new("standard input, \"-\", can be read only once")),
     }

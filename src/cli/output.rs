@@ -19,8 +19,7 @@ pub fn say(text: &str) -> Result<(), Failure> {
 
 /// Writes a value as one line of JSON to standard output.
 pub fn say_json(value: &impl Serialize) -> Result<(), Failure> {
-    let mut line = serde_json::to_string(value)
-        .map_err(|error| Failure::at("standard output", error.to_string()))?;
+    let mut line = serde_json::to_string(value).map_err(|error| Failure::at("standard output", error.to_string()))?;
     line.push('\n');
     say(&line)
 }

@@ -104,10 +104,7 @@ pub(super) fn check_points(dimension: usize, points: &RationalVector) -> Result<
 }
 
 /// Positive weights, one a point.
-pub(super) fn check_weights(
-    count: usize,
-    weights: Option<&RationalVector>,
-) -> Result<(), CurveError> {
+pub(super) fn check_weights(count: usize, weights: Option<&RationalVector>) -> Result<(), CurveError> {
     let Some(weights) = weights else {
         return Ok(());
     };

@@ -49,12 +49,7 @@ impl BSpline {
     ///
     /// # Panics
     /// When the number of arguments is not the degree.
-    pub fn blossom(
-        &self,
-        t: &Rational,
-        side: Side,
-        arguments: &[Rational],
-    ) -> Result<Vec<Rational>, OperationError> {
+    pub fn blossom(&self, t: &Rational, side: Side, arguments: &[Rational]) -> Result<Vec<Rational>, OperationError> {
         assert_eq!(arguments.len(), self.degree, "one argument a degree");
         let k = self.span(t, side)?;
         let knots = self.span_knots(k);

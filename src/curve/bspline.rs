@@ -117,15 +117,9 @@ fn check_knots(degree: usize, count: usize, knots: &RationalVector) -> Result<()
     for run in t.chunk_by(|a, b| a == b) {
         let (knot, multiplicity) = (&run[0], run.len());
         let fault = if start < knot && knot < end && multiplicity > degree {
-            Some(CurveFault::InteriorMultiplicity {
-                multiplicity,
-                degree,
-            })
+            Some(CurveFault::InteriorMultiplicity { multiplicity, degree })
         } else if multiplicity > degree + 1 {
-            Some(CurveFault::EndMultiplicity {
-                multiplicity,
-                degree,
-            })
+            Some(CurveFault::EndMultiplicity { multiplicity, degree })
         } else {
             None
         };

@@ -130,8 +130,7 @@ impl<'a> Chain<'a> {
     /// The global parameter i + u at the user's knot value, or nothing outside the domain.
     pub fn parameter_at(&self, knot: &Rational) -> Option<Rational> {
         let Some(knots) = &self.knots else {
-            return (*knot >= Rational::zero() && *knot <= integer(self.count()))
-                .then(|| knot.clone());
+            return (*knot >= Rational::zero() && *knot <= integer(self.count())).then(|| knot.clone());
         };
         let count = self.count();
         if *knot < knots.get(0) || *knot > knots.get(count) {

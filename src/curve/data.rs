@@ -106,6 +106,5 @@ pub(super) fn equal(a: &RationalVector, i: usize, b: &RationalVector, j: usize) 
 
 /// Numbers over a denominator known to be positive.
 pub(super) fn over(numerators: Vec<Integer>, denominator: Integer) -> RationalVector {
-    RationalVector::from_parts(numerators, denominator)
-        .expect("a product of denominators is positive")
+    RationalVector::from_parts(numerators, denominator).expect("a product of denominators is positive")
 }

@@ -47,13 +47,7 @@ fn span_points(knots: &[Integer], mut points: Vec<Homogeneous>) -> Vec<Homogeneo
     for round in 1..=p {
         for j in 0..=p - round {
             let (low, high) = (&knots[j + round - 1], &knots[j + p]);
-            points[j] = Homogeneous::combine(
-                &(high - a),
-                &points[j],
-                &(a - low),
-                &points[j + 1],
-                &(high - low),
-            );
+            points[j] = Homogeneous::combine(&(high - a), &points[j], &(a - low), &points[j + 1], &(high - low));
         }
     }
     // Every knot before b is now a.
@@ -62,13 +56,7 @@ fn span_points(knots: &[Integer], mut points: Vec<Homogeneous>) -> Vec<Homogeneo
         pieces.push(points[0].clone());
         for j in 0..=p - round {
             let high = &knots[j + p];
-            points[j] = Homogeneous::combine(
-                &(high - b),
-                &points[j],
-                &(b - a),
-                &points[j + 1],
-                &(high - a),
-            );
+            points[j] = Homogeneous::combine(&(high - b), &points[j], &(b - a), &points[j + 1], &(high - a));
         }
     }
     pieces.push(points[0].clone());

@@ -15,11 +15,7 @@ impl Bezier {
     ///
     /// # Errors
     /// [`OperationError::OutsideDomain`].
-    pub fn derivatives(
-        &self,
-        u: &Rational,
-        order: usize,
-    ) -> Result<Vec<Vec<Rational>>, OperationError> {
+    pub fn derivatives(&self, u: &Rational, order: usize) -> Result<Vec<Vec<Rational>>, OperationError> {
         self.check_inside(u)?;
         let lifted = self.homogeneous_derivatives(u, order);
         if self.weights.is_none() {
@@ -85,12 +81,7 @@ impl BSpline {
     ///
     /// # Errors
     /// [`OperationError::OutsideDomain`].
-    pub fn derivatives(
-        &self,
-        t: &Rational,
-        side: Side,
-        order: usize,
-    ) -> Result<Vec<Vec<Rational>>, OperationError> {
+    pub fn derivatives(&self, t: &Rational, side: Side, order: usize) -> Result<Vec<Vec<Rational>>, OperationError> {
         let k = self.span(t, side)?;
         let (start, end) = (self.knots.get(k), self.knots.get(k + 1));
         let length = end - &start;

@@ -82,22 +82,14 @@ impl BSpline {
             let (start, length) = (&knots[*span], &knots[span + 1] - &knots[*span]);
             for (i, slot) in control.iter_mut().enumerate().take(span + 1).skip(span - q) {
                 if slot.is_none() {
-                    let arguments: Vec<Rational> = knots[i + 1..=i + q]
-                        .iter()
-                        .map(|t| (t - start) / &length)
-                        .collect();
+                    let arguments: Vec<Rational> = knots[i + 1..=i + q].iter().map(|t| (t - start) / &length).collect();
                     *slot = Some(piece.blossom_point(&arguments));
                 }
             }
         }
         let control = fill(control);
         let knots = RationalVector::from_rationals(&knots);
-        Ok(BSpline::from_homogeneous(
-            self.dimension,
-            q,
-            knots,
-            &control,
-        ))
+        Ok(BSpline::from_homogeneous(self.dimension, q, knots, &control))
     }
 
     /// Every distinct knot `by` times more, trimmed so that the domain starts at index q and ends q knots before the last.

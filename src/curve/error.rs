@@ -118,11 +118,7 @@ impl fmt::Display for CurveFault {
                 f,
                 "found {found} coordinates, expected {expected} as in the first point"
             ),
-            CurveFault::Degree { found } => write!(
-                f,
-                "found degree {found}, expected 1 to {}",
-                super::MAXIMUM_DEGREE
-            ),
+            CurveFault::Degree { found } => write!(f, "found degree {found}, expected 1 to {}", super::MAXIMUM_DEGREE),
             CurveFault::PointCount { found, expected } => {
                 write!(f, "found {found} control points, expected {expected}")
             }
@@ -136,25 +132,16 @@ impl fmt::Display for CurveFault {
                     "found {found} weights, expected {expected}, one for each control point"
                 )
             }
-            CurveFault::NonPositiveWeight => write!(
-                f,
-                "found a weight that is not positive, expected a positive one"
-            ),
+            CurveFault::NonPositiveWeight => write!(f, "found a weight that is not positive, expected a positive one"),
             CurveFault::DecreasingKnots => write!(
                 f,
                 "found a knot less than the one before, expected non-decreasing knots"
             ),
-            CurveFault::InteriorMultiplicity {
-                multiplicity,
-                degree,
-            } => write!(
+            CurveFault::InteriorMultiplicity { multiplicity, degree } => write!(
                 f,
                 "found an interior knot {multiplicity} times, expected at most {degree} times, the degree"
             ),
-            CurveFault::EndMultiplicity {
-                multiplicity,
-                degree,
-            } => write!(
+            CurveFault::EndMultiplicity { multiplicity, degree } => write!(
                 f,
                 "found an end knot {multiplicity} times, expected at most {} times, the degree + 1",
                 degree + 1
@@ -166,11 +153,7 @@ impl fmt::Display for CurveFault {
             ),
             CurveFault::NoPieces => write!(f, "found no pieces, expected at least one"),
             CurveFault::TooMany { found } => {
-                write!(
-                    f,
-                    "found {found}, expected at most {}",
-                    super::MAXIMUM_PIECES
-                )
+                write!(f, "found {found}, expected at most {}", super::MAXIMUM_PIECES)
             }
             CurveFault::TooManyBits { found } => write!(
                 f,

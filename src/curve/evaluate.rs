@@ -93,11 +93,7 @@ impl BSpline {
 }
 
 /// The blossom of the span between the two middle ones of the 2p `knots`, where `points` act, at p arguments.
-pub(super) fn blossom(
-    knots: &[Rational],
-    mut points: Vec<Homogeneous>,
-    arguments: &[Rational],
-) -> Homogeneous {
+pub(super) fn blossom(knots: &[Rational], mut points: Vec<Homogeneous>, arguments: &[Rational]) -> Homogeneous {
     let p = points.len() - 1;
     for round in 1..=p {
         let t = &arguments[round - 1];
@@ -116,9 +112,7 @@ impl Chain<'_> {
     /// # Errors
     /// [`OperationError::OutsideDomain`].
     pub fn evaluate(&self, parameter: &Rational) -> Result<Vec<Rational>, OperationError> {
-        let (i, u) = self
-            .locate(parameter)
-            .ok_or(OperationError::OutsideDomain)?;
+        let (i, u) = self.locate(parameter).ok_or(OperationError::OutsideDomain)?;
         self.pieces()[i].evaluate(&u)
     }
 }

@@ -89,18 +89,11 @@ impl Bezier {
 }
 
 /// The coefficients of the rational field over one denominator, for integer points and weights.
-fn rational_field(
-    d: usize,
-    n: usize,
-    points: &[Integer],
-    weights: &[Integer],
-) -> (Vec<Integer>, Integer) {
+fn rational_field(d: usize, n: usize, points: &[Integer], weights: &[Integer]) -> (Vec<Integer>, Integer) {
     let choose = |n: usize, k: usize| Integer::binomial(n as u32, k as u32);
     let scaled: Vec<Integer> = (0..=n).map(|i| choose(n, i) * &weights[i]).collect();
     let divisors: Vec<Integer> = (0..=2 * n - 2).map(|k| choose(2 * n - 2, k)).collect();
-    let denominator = divisors
-        .iter()
-        .fold(Integer::ONE, |lcm, divisor| lcm.lcm(divisor));
+    let denominator = divisors.iter().fold(Integer::ONE, |lcm, divisor| lcm.lcm(divisor));
     let mut numerators = Vec::with_capacity((2 * n - 1) * d);
     for (k, divisor) in divisors.iter().enumerate() {
         let mut sum = vec![Integer::zero(); d];

@@ -25,13 +25,7 @@ impl Homogeneous {
     }
 
     /// (a p + b q) / c with c > 0.
-    pub(super) fn combine(
-        a: &Integer,
-        p: &Homogeneous,
-        b: &Integer,
-        q: &Homogeneous,
-        c: &Integer,
-    ) -> Homogeneous {
+    pub(super) fn combine(a: &Integer, p: &Homogeneous, b: &Integer, q: &Homogeneous, c: &Integer) -> Homogeneous {
         if b.is_zero() && a == c {
             return p.clone();
         }
@@ -169,12 +163,7 @@ fn lower(dimension: usize, points: &[Homogeneous]) -> (RationalVector, Option<Ra
 impl Bezier {
     /// Homogeneous control points, without the weight when there are no weights.
     pub(super) fn homogeneous(&self) -> Vec<Homogeneous> {
-        lift(
-            self.dimension,
-            &self.points,
-            self.weights.as_ref(),
-            0..self.degree + 1,
-        )
+        lift(self.dimension, &self.points, self.weights.as_ref(), 0..self.degree + 1)
     }
 
     /// From at least two homogeneous control points with positive weights.

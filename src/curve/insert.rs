@@ -33,12 +33,7 @@ impl BSpline {
             insert(self.degree, &mut knots, &mut control, t)?;
         }
         let knots = RationalVector::from_rationals(&knots);
-        Ok(BSpline::from_homogeneous(
-            self.dimension,
-            self.degree,
-            knots,
-            &control,
-        ))
+        Ok(BSpline::from_homogeneous(self.dimension, self.degree, knots, &control))
     }
 }
 

@@ -51,8 +51,7 @@ pub use hodograph::Hodograph;
 pub use joint::Joint;
 pub use operation::OperationError;
 pub use read::{
-    CurveFile, MAXIMUM_TOTAL_BITS, Position, ReadError, ReadFault, ReadOptions, VERSION,
-    read_curve, read_curve_with,
+    CurveFile, MAXIMUM_TOTAL_BITS, Position, ReadError, ReadFault, ReadOptions, VERSION, read_curve, read_curve_with,
 };
 pub use write::write_curve;
 

@@ -27,10 +27,7 @@ impl fmt::Display for OperationError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             OperationError::OutsideDomain => write!(f, "the parameter is outside the domain"),
-            OperationError::Multiplicity {
-                multiplicity,
-                degree,
-            } => write!(
+            OperationError::Multiplicity { multiplicity, degree } => write!(
                 f,
                 "the knot would occur {multiplicity} times, expected at most {degree}, the degree"
             ),

@@ -38,10 +38,7 @@ impl BSpline {
             return Err(CurveError::new(format!("points[{count}]"), fault));
         }
         if count == 0 {
-            let fault = CurveFault::PointCount {
-                found: 0,
-                expected: 1,
-            };
+            let fault = CurveFault::PointCount { found: 0, expected: 1 };
             return Err(CurveError::new("points", fault));
         }
         if count > MAXIMUM_PIECES {
@@ -68,10 +65,7 @@ impl BSpline {
         let closing = |t: &&Rational| **t == knots[0] || **t == knots[count];
         let multiplicity = knots[..count].iter().filter(closing).count();
         if multiplicity > degree && knots[0] != knots[count] {
-            let fault = CurveFault::InteriorMultiplicity {
-                multiplicity,
-                degree,
-            };
+            let fault = CurveFault::InteriorMultiplicity { multiplicity, degree };
             return Err(CurveError::new("knots[0]", fault));
         }
         let period = &knots[count] - &knots[0];
@@ -80,8 +74,7 @@ impl BSpline {
             .map(|i| {
                 let turns = (i + count * degree - degree) / count;
                 let within = (i + count * degree - degree) % count;
-                let shift =
-                    Rational::from_integer(turns.into()) - Rational::from_integer(degree.into());
+                let shift = Rational::from_integer(turns.into()) - Rational::from_integer(degree.into());
                 &knots[within] + shift * &period
             })
             .collect();

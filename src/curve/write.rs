@@ -32,11 +32,7 @@ pub fn write_curve(curve: &Curve, name: Option<&str>) -> String {
 }
 
 fn write_bspline(text: &mut String, spline: &BSpline) {
-    let _ = write!(
-        text,
-        ",\"bspline\":{{\"degree\":{},\"knots\":",
-        spline.degree()
-    );
+    let _ = write!(text, ",\"bspline\":{{\"degree\":{},\"knots\":", spline.degree());
     write_list(text, spline.knots());
     text.push_str(",\"points\":");
     write_points(text, spline.dimension(), spline.points());

@@ -130,9 +130,8 @@ mod tests {
 
     #[test]
     fn known_values() {
-        let simplest = |a: (i64, i64), b: (i64, i64)| {
-            simplest_between(&fraction(a.0, a.1), &fraction(b.0, b.1)).format()
-        };
+        let simplest =
+            |a: (i64, i64), b: (i64, i64)| simplest_between(&fraction(a.0, a.1), &fraction(b.0, b.1)).format();
         assert_eq!(simplest((314, 100), (315, 100)), "22/7");
         assert_eq!(simplest((-315, 100), (-314, 100)), "-22/7");
         assert_eq!(simplest((-1, 3), (5, 1)), "0");
@@ -144,9 +143,7 @@ mod tests {
         let pi = |limit| approximate(std::f64::consts::PI, limit).unwrap().format();
         assert_eq!(
             [pi(1), pi(6), pi(7), pi(105), pi(106), pi(112), pi(113)],
-            [
-                "3", "19/6", "22/7", "311/99", "333/106", "333/106", "355/113"
-            ]
+            ["3", "19/6", "22/7", "311/99", "333/106", "333/106", "355/113"]
         );
         assert_eq!(approximate(0.5, u64::MAX), Some(fraction(1, 2)));
         assert_eq!(approximate(-0.1, 1000), Some(fraction(-1, 10)));

@@ -108,13 +108,8 @@ impl fmt::Display for NumberError {
                     "{text:?} is not a number: unexpected {found:?} at character {position}"
                 )
             }
-            NumberError::Unexpected {
-                text, found: None, ..
-            } => {
-                write!(
-                    formatter,
-                    "{text:?} is not a number: it ends where a digit is expected"
-                )
+            NumberError::Unexpected { text, found: None, .. } => {
+                write!(formatter, "{text:?} is not a number: it ends where a digit is expected")
             }
             NumberError::NotFinite { text } => {
                 write!(formatter, "{text:?} is not a finite number")
@@ -122,11 +117,7 @@ impl fmt::Display for NumberError {
             NumberError::ZeroDenominator { text } => {
                 write!(formatter, "the denominator of {text:?} is zero")
             }
-            NumberError::TooLong {
-                text,
-                length,
-                limit,
-            } => {
+            NumberError::TooLong { text, length, limit } => {
                 write!(
                     formatter,
                     "the number {text:?} is {length} characters long, the limit is {limit}"
@@ -139,10 +130,7 @@ impl fmt::Display for NumberError {
                 write!(formatter, "{text:?} is beyond the largest finite binary64")
             }
             NumberError::NotCanonical { text, reason } => {
-                write!(
-                    formatter,
-                    "{text:?} is not a canonical number: it has {reason}"
-                )
+                write!(formatter, "{text:?} is not a canonical number: it has {reason}")
             }
         }
     }

@@ -28,14 +28,9 @@ pub fn rationals() -> impl Strategy<Value = Rational> {
         Just(Integer::ONE),
         (1_i64..50).prop_map(Integer::from),
         (0_u32..100).prop_map(|bits| Integer::ONE << bits),
-        integers().prop_map(|integer| if integer.is_zero() {
-            Integer::ONE
-        } else {
-            integer
-        }),
+        integers().prop_map(|integer| if integer.is_zero() { Integer::ONE } else { integer }),
     ];
-    (integers(), denominator)
-        .prop_map(|(numerator, denominator)| Rational::new(numerator, denominator))
+    (integers(), denominator).prop_map(|(numerator, denominator)| Rational::new(numerator, denominator))
 }
 
 /// Fractions above zero.

@@ -48,9 +48,7 @@ pub fn interval_digits(lower: &Rational, upper: &Rational) -> usize {
     };
     let larger = magnitude(lower).max(magnitude(upper));
     let larger_decade = decade(&larger).unwrap_or(width_decade);
-    usize::try_from(larger_decade - width_decade + 3)
-        .unwrap_or(1)
-        .max(1)
+    usize::try_from(larger_decade - width_decade + 3).unwrap_or(1).max(1)
 }
 
 fn decimal(x: &Rational, significant: usize, away_from_zero: bool) -> String {
@@ -69,10 +67,7 @@ fn decimal(x: &Rational, significant: usize, away_from_zero: bool) -> String {
 }
 
 fn sqrt_decimal(square: &Rational, significant: usize, up: bool) -> String {
-    assert!(
-        !square.numer().is_negative(),
-        "square root of a negative number"
-    );
+    assert!(!square.numer().is_negative(), "square root of a negative number");
     let Some(decade) = decade(square) else {
         return "0".to_owned();
     };
@@ -81,11 +76,7 @@ fn sqrt_decimal(square: &Rational, significant: usize, up: bool) -> String {
     let (floor, rest) = numerator.div_rem(&denominator);
     let root = floor.sqrt_floor().unwrap_or_default();
     let exact = rest.is_zero() && &root * &root == floor;
-    let digits = if up && !exact {
-        root + Integer::ONE
-    } else {
-        root
-    };
+    let digits = if up && !exact { root + Integer::ONE } else { root };
     render(false, &digits, -places)
 }
 
@@ -100,8 +91,7 @@ fn magnitude(x: &Rational) -> Rational {
 
 /// 10^|exponent|.
 fn power_of_ten(exponent: i64) -> Integer {
-    Integer::from(10)
-        .pow(u32::try_from(exponent.unsigned_abs()).expect("more digits than memory holds"))
+    Integer::from(10).pow(u32::try_from(exponent.unsigned_abs()).expect("more digits than memory holds"))
 }
 
 /// x · 10^places as numerator and denominator.
@@ -247,10 +237,7 @@ mod tests {
         let pair = |down: &str, up: &str| (down.to_owned(), up.to_owned());
         assert_eq!(square_root("4", 17), pair("2", "2"));
         assert_eq!(square_root("0", 17), pair("0", "0"));
-        assert_eq!(
-            square_root("2", 18),
-            pair("1.41421356237309504", "1.41421356237309505")
-        );
+        assert_eq!(square_root("2", 18), pair("1.41421356237309504", "1.41421356237309505"));
         assert_eq!(square_root("2e-30", 4), pair("1.414e-15", "1.415e-15"));
         assert_eq!(square_root("1/16", 5), pair("0.25", "0.25"));
         assert_eq!(square_root("0.99999", 3), pair("0.999", "1"));

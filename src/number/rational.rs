@@ -184,11 +184,7 @@ mod tests {
             // Halfway between the largest finite number and 2^1024, and all beyond.
             let edge = Rational::from_integer(Integer::from((1_i64 << 54) - 1) << 970);
             let edge = if rounded < 0.0 { -edge } else { edge };
-            assert!(if rounded < 0.0 {
-                *x <= edge
-            } else {
-                *x >= edge
-            });
+            assert!(if rounded < 0.0 { *x <= edge } else { *x >= edge });
             return;
         }
         let here = distance(x, rounded);
@@ -214,10 +210,7 @@ mod tests {
         assert_eq!(third_of_least.to_f64(), 0.0);
         let two = Rational::from_integer(Integer::from(2));
         assert_eq!((third_of_least * two).to_f64(), f64::from_bits(1));
-        assert_eq!(
-            Rational::new(Integer::ONE, Integer::ONE << 1075).to_f64(),
-            0.0
-        );
+        assert_eq!(Rational::new(Integer::ONE, Integer::ONE << 1075).to_f64(), 0.0);
         assert_eq!(
             Rational::new(Integer::from(3), Integer::ONE << 1075).to_f64(),
             f64::from_bits(2)

@@ -70,10 +70,7 @@ mod tests {
         let square = Rational::new(Integer::from(9), Integer::from(16));
         let root = Rational::new(Integer::from(3), Integer::from(4));
         assert_eq!(sqrt_enclosure(&square, 0), (root.clone(), root));
-        assert_eq!(
-            exact_sqrt(&Rational::new(Integer::from(9), Integer::from(2))),
-            None
-        );
+        assert_eq!(exact_sqrt(&Rational::new(Integer::from(9), Integer::from(2))), None);
         assert_eq!(exact_sqrt(&Rational::from_integer(Integer::from(-4))), None);
     }
 

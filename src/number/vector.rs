@@ -257,16 +257,10 @@ mod tests {
         let empty = RationalVector::from_rationals(&[]);
         assert!(empty.is_empty());
         assert_eq!(empty, RationalVector::default());
-        assert_eq!(
-            RationalVector::from_parts(vec![], Integer::from(12)),
-            Some(empty)
-        );
+        assert_eq!(RationalVector::from_parts(vec![], Integer::from(12)), Some(empty));
         for denominator in [0, -1] {
             let numerators = vec![Integer::ONE];
-            assert_eq!(
-                RationalVector::from_parts(numerators, Integer::from(denominator)),
-                None
-            );
+            assert_eq!(RationalVector::from_parts(numerators, Integer::from(denominator)), None);
         }
         let zeros = RationalVector::from_parts(vec![Integer::ZERO; 3], Integer::from(12)).unwrap();
         assert_eq!(zeros.denominator(), &Integer::ONE);

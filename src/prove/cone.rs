@@ -16,7 +16,10 @@ const SLACK: f64 = 1e-12;
 
 impl Cone {
     /// Every direction.
-    pub const FULL: Cone = Cone { axis: [1.0, 0.0, 0.0, 0.0], cosine: -1.0 };
+    pub const FULL: Cone = Cone {
+        axis: [1.0, 0.0, 0.0, 0.0],
+        cosine: -1.0,
+    };
 
     /// The cone around the sum of the directions, zero vectors left out.
     pub fn around<'v>(vectors: impl Iterator<Item = &'v Vector> + Clone) -> Cone {
@@ -25,8 +28,14 @@ impl Cone {
             sum = add(&sum, &direction);
         }
         let Some(axis) = unit(&sum) else { return Cone::FULL };
-        let least = vectors.filter_map(unit).map(|direction| dot(&direction, &axis)).fold(1.0, f64::min);
-        Cone { axis, cosine: least - SLACK }
+        let least = vectors
+            .filter_map(unit)
+            .map(|direction| dot(&direction, &axis))
+            .fold(1.0, f64::min);
+        Cone {
+            axis,
+            cosine: least - SLACK,
+        }
     }
 
     /// A cone that holds both; [`Cone::FULL`] where that would be a half-space or more.
@@ -45,12 +54,25 @@ impl Cone {
         }
         let whole = (angle + other_angle + between) / 2.0 + 1e-9;
         if whole >= 1.5 || between < 1e-9 {
-            return if whole >= 1.5 { Cone::FULL } else { Cone { axis: self.axis, cosine: (whole + between).cos() - SLACK } };
+            return if whole >= 1.5 {
+                Cone::FULL
+            } else {
+                Cone {
+                    axis: self.axis,
+                    cosine: (whole + between).cos() - SLACK,
+                }
+            };
         }
         // Turn this axis towards the other one by whole − angle.
         let turn = whole - angle;
-        match unit(&add(&scale(&self.axis, (between - turn).sin()), &scale(&other.axis, turn.sin()))) {
-            Some(axis) => Cone { axis, cosine: (whole + 1e-9).cos() - SLACK },
+        match unit(&add(
+            &scale(&self.axis, (between - turn).sin()),
+            &scale(&other.axis, turn.sin()),
+        )) {
+            Some(axis) => Cone {
+                axis,
+                cosine: (whole + 1e-9).cos() - SLACK,
+            },
             None => Cone::FULL,
         }
     }

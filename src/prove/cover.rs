@@ -25,15 +25,27 @@ impl Contact {
 
     /// The contacts of (A₁, B) and (A₂, B).
     pub fn of_first_halves(self, left: &Node, right: &Node) -> (Contact, Contact) {
-        let left_contact = Contact { forward: self.forward && right.is_point(), backward: self.backward };
-        let right_contact = Contact { forward: self.forward, backward: self.backward && left.is_point() };
+        let left_contact = Contact {
+            forward: self.forward && right.is_point(),
+            backward: self.backward,
+        };
+        let right_contact = Contact {
+            forward: self.forward,
+            backward: self.backward && left.is_point(),
+        };
         (left_contact, right_contact)
     }
 
     /// The contacts of (A, B₁) and (A, B₂).
     pub fn of_second_halves(self, left: &Node, right: &Node) -> (Contact, Contact) {
-        let left_contact = Contact { forward: self.forward, backward: self.backward && right.is_point() };
-        let right_contact = Contact { forward: self.forward && left.is_point(), backward: self.backward };
+        let left_contact = Contact {
+            forward: self.forward,
+            backward: self.backward && right.is_point(),
+        };
+        let right_contact = Contact {
+            forward: self.forward && left.is_point(),
+            backward: self.backward,
+        };
         (left_contact, right_contact)
     }
 }
@@ -95,7 +107,13 @@ pub struct Search<'n, 's> {
 impl<'n, 's> Search<'n, 's> {
     /// A search with no tokens yet.
     pub fn new(nodes: &'n mut Nodes<'s>, goal: &'n Goal) -> Self {
-        Search { nodes, goal, tokens: Vec::new(), leaves: 0, exact_attempts: 0 }
+        Search {
+            nodes,
+            goal,
+            tokens: Vec::new(),
+            leaves: 0,
+            exact_attempts: 0,
+        }
     }
 
     fn emit(&mut self, token: &Token) {
@@ -119,7 +137,15 @@ impl<'n, 's> Search<'n, 's> {
         if contact.any() {
             return leaf::cone(self.nodes, a, Some(b)).or_else(|| leaf::bend(self.nodes, a, Some(b), bend_signs(a, b)));
         }
-        leaf::far(self.nodes, a, b, Target { length: self.goal.length }).or_else(|| leaf::not_normal(self.nodes, a, b))
+        leaf::far(
+            self.nodes,
+            a,
+            b,
+            Target {
+                length: self.goal.length,
+            },
+        )
+        .or_else(|| leaf::not_normal(self.nodes, a, b))
     }
 
     /// Covers the pair (A, B), or (A, A) when `b` is `None`.
@@ -133,8 +159,21 @@ impl<'n, 's> Search<'n, 's> {
         let second = b.unwrap_or(a);
         if !a.is_run() && !second.is_run() {
             let borderline = self.goal.length.is_finite()
-                && b.is_some_and(|b| !contact.any() && leaf::far_within_errors(self.nodes, a, b, Target { length: self.goal.length }, self.goal.slack));
-            if borderline && let Some(leaf) = self.exact_leaf(&self.nodes.exact(a), b.map(|b| self.nodes.exact(b)).as_ref()) {
+                && b.is_some_and(|b| {
+                    !contact.any()
+                        && leaf::far_within_errors(
+                            self.nodes,
+                            a,
+                            b,
+                            Target {
+                                length: self.goal.length,
+                            },
+                            self.goal.slack,
+                        )
+                });
+            if borderline
+                && let Some(leaf) = self.exact_leaf(&self.nodes.exact(a), b.map(|b| self.nodes.exact(b)).as_ref())
+            {
                 return self.emit_leaf(leaf);
             }
             if self.needs_exactness(a, second) {
@@ -158,19 +197,26 @@ impl<'n, 's> Search<'n, 's> {
         let Some(b) = b else {
             let (left, right) = self.nodes.halves(a).expect("a point element is not paired with itself");
             self.emit(&Token::Split);
-            let between = Contact { forward: true, backward: self.nodes.floats.closed && self.nodes.is_whole(a) };
+            let between = Contact {
+                forward: true,
+                backward: self.nodes.floats.closed && self.nodes.is_whole(a),
+            };
             self.pair(&left, None, Contact::default())?;
             self.pair(&left, Some(&right), between)?;
             return self.pair(&right, None, Contact::default());
         };
         if splits_first(a, b) {
-            let Some((left, right)) = self.nodes.halves(a) else { return Err(self.stuck(a, Some(b), contact)) };
+            let Some((left, right)) = self.nodes.halves(a) else {
+                return Err(self.stuck(a, Some(b), contact));
+            };
             self.emit(&Token::First);
             let (of_left, of_right) = contact.of_first_halves(&left, &right);
             self.pair(&left, Some(b), of_left)?;
             self.pair(&right, Some(b), of_right)
         } else {
-            let Some((left, right)) = self.nodes.halves(b) else { return Err(self.stuck(a, Some(b), contact)) };
+            let Some((left, right)) = self.nodes.halves(b) else {
+                return Err(self.stuck(a, Some(b), contact));
+            };
             self.emit(&Token::Second);
             let (of_left, of_right) = contact.of_second_halves(&left, &right);
             self.pair(a, Some(&left), of_left)?;
@@ -183,7 +229,11 @@ impl<'n, 's> Search<'n, 's> {
         let size = a.diagonal_squared().max(b.diagonal_squared()).sqrt();
         let tangents = |node: &Node| self.nodes.tangents(node);
         let has_zero = |node: &Node| tangents(node).iter().any(|v| dot(v, v) == 0.0);
-        let vague = |node: &Node| tangents(node).iter().all(|v| dot(v, v).sqrt() < 1e8 * node.tangent_error);
+        let vague = |node: &Node| {
+            tangents(node)
+                .iter()
+                .all(|v| dot(v, v).sqrt() < 1e8 * node.tangent_error)
+        };
         let blurred = size.is_nan() || size <= 64.0 * (a.error + b.error) && !(a.is_point() && b.is_point());
         blurred || a.is_point() && b.is_point() || vague(a) || vague(b) || has_zero(a) || has_zero(b)
     }
@@ -216,8 +266,16 @@ impl<'n, 's> Search<'n, 's> {
         };
         let second = b.unwrap_or(a);
         let (s, t) = (location(a), location(second));
-        let x = sub(&self.nodes.floats.evaluate(s.0, s.1)[0], &self.nodes.floats.evaluate(t.0, t.1)[0]);
-        Event::Stuck(Stuck { s, t, distance: dot(&x, &x).sqrt(), adjacent: b.is_none() || contact.any() })
+        let x = sub(
+            &self.nodes.floats.evaluate(s.0, s.1)[0],
+            &self.nodes.floats.evaluate(t.0, t.1)[0],
+        );
+        Event::Stuck(Stuck {
+            s,
+            t,
+            distance: dot(&x, &x).sqrt(),
+            adjacent: b.is_none() || contact.any(),
+        })
     }
 
     /// Covers a pair in exact arithmetic.
@@ -234,7 +292,13 @@ impl<'n, 's> Search<'n, 's> {
             return self.emit_leaf(leaf);
         }
         let second = b.unwrap_or(a);
-        let depth = |node: &ExactNode| if let ExactNode::Part(part) = node { Some(part.depth) } else { None };
+        let depth = |node: &ExactNode| {
+            if let ExactNode::Part(part) = node {
+                Some(part.depth)
+            } else {
+                None
+            }
+        };
         let first = match (depth(a), depth(second)) {
             (None, None) => return Err(self.exactly_stuck(a, b)),
             (Some(_), None) => true,
@@ -245,7 +309,9 @@ impl<'n, 's> Search<'n, 's> {
         if depth(split).unwrap_or(0) >= self.goal.max_depth {
             return Err(self.exactly_stuck(a, b));
         }
-        let Some((left, right)) = context.halves(split) else { return Err(self.exactly_stuck(a, b)) };
+        let Some((left, right)) = context.halves(split) else {
+            return Err(self.exactly_stuck(a, b));
+        };
         match b {
             None => {
                 self.emit(&Token::Split);
@@ -274,7 +340,10 @@ impl<'n, 's> Search<'n, 's> {
         let any_end = |node: &ExactNode| end(node, Element::Start) || end(node, Element::End);
         let signs = [
             [if any_end(a) { -1 } else { 0 }, if any_end(second) { -1 } else { 0 }],
-            [if end(a, Element::Start) { 1 } else { 0 }, if end(second, Element::End) { 1 } else { 0 }],
+            [
+                if end(a, Element::Start) { 1 } else { 0 },
+                if end(second, Element::End) { 1 } else { 0 },
+            ],
         ];
         exact::leaf(context, a, b, &self.goal.lower, self.goal.length, signs)
     }
@@ -289,16 +358,27 @@ impl<'n, 's> Search<'n, 's> {
         };
         let second = b.unwrap_or(a);
         let (s, t) = (location(a), location(second));
-        let x = sub(&self.nodes.floats.evaluate(s.0, s.1)[0], &self.nodes.floats.evaluate(t.0, t.1)[0]);
+        let x = sub(
+            &self.nodes.floats.evaluate(s.0, s.1)[0],
+            &self.nodes.floats.evaluate(t.0, t.1)[0],
+        );
         let adjacent = b.is_none_or(|b| context.adjacent(a, b));
-        Event::Stuck(Stuck { s, t, distance: dot(&x, &x).sqrt(), adjacent })
+        Event::Stuck(Stuck {
+            s,
+            t,
+            distance: dot(&x, &x).sqrt(),
+            adjacent,
+        })
     }
 }
 
 /// Signs of α, β in `bend` at the ends of the curve.
 fn bend_signs(a: &Node, b: &Node) -> super::half_plane::Signs {
     let at = |node: &Node, end| node.kind == Kind::Point(end);
-    [if at(a, Element::Start) { 1 } else { 0 }, if at(b, Element::End) { 1 } else { 0 }]
+    [
+        if at(a, Element::Start) { 1 } else { 0 },
+        if at(b, Element::End) { 1 } else { 0 },
+    ]
 }
 
 /// Which of two nodes to split: the larger one; of two parts of about the same size the one that bends more.

@@ -48,18 +48,30 @@ fn differences(gap: &Gap<Integer>) -> (Vec<Difference>, i64) {
         .into_iter()
         .map(|(exact, unit)| {
             let [x, y, z] = [0, 1, 2].map(|i| rounded(&exact[i], &unit) / common);
-            Difference { exact, rounded: [x, y, z, 0.0] }
+            Difference {
+                exact,
+                rounded: [x, y, z, 0.0],
+            }
         })
         .collect();
     (differences, most - common_exponent)
 }
 
 /// Looks for any leaf that excludes the pair (A, B), or (A, A) when `b` is `None`; `length` is √lower_squared, rounded up.
-pub fn leaf<'c>(context: &Context<'c>, a: &Node<'c>, b: Option<&Node<'c>>, lower: &Lower, length: f64, signs: [Signs; 2]) -> Option<Leaf> {
+pub fn leaf<'c>(
+    context: &Context<'c>,
+    a: &Node<'c>,
+    b: Option<&Node<'c>>,
+    lower: &Lower,
+    length: f64,
+    signs: [Signs; 2],
+) -> Option<Leaf> {
     let holds = |leaf: &Leaf| context.obligation(a, b, leaf, lower).is_ok();
     let adjacent = b.is_none_or(|b| context.adjacent(a, b));
     if adjacent {
-        cone(context, a, b).filter(&holds).or_else(|| bend(context, a, b, signs[1]).filter(&holds))
+        cone(context, a, b)
+            .filter(&holds)
+            .or_else(|| bend(context, a, b, signs[1]).filter(&holds))
     } else {
         let b = b?;
         let (hull_a, hull_b) = (Hull::<Integer>::new(context, a)?, Hull::new(context, b)?);
@@ -71,25 +83,43 @@ pub fn leaf<'c>(context: &Context<'c>, a: &Node<'c>, b: Option<&Node<'c>>, lower
 }
 
 /// `far` along the shortest vector of the convex hull of the differences.
-fn far(differences: &[Difference], exponent: i64, lower: &Lower, length: f64, holds: &impl Fn(&Leaf) -> bool) -> Option<Leaf> {
+fn far(
+    differences: &[Difference],
+    exponent: i64,
+    lower: &Lower,
+    length: f64,
+    holds: &impl Fn(&Leaf) -> bool,
+) -> Option<Leaf> {
     if *lower == Lower::Infinite {
         return None;
     }
     let length = length * 2f64.powi((-exponent).clamp(-1000, 1000) as i32) * (1.0 - 1e-12);
-    let mut x = differences.iter().fold([0.0; 4], |sum, difference| super::vector::add(&sum, &difference.rounded));
+    let mut x = differences.iter().fold([0.0; 4], |sum, difference| {
+        super::vector::add(&sum, &difference.rounded)
+    });
     x = scale(&x, 1.0 / differences.len() as f64);
     for _ in 0..40 {
         let norm = dot(&x, &x).sqrt();
-        let support = differences.iter().map(|d| d.rounded).min_by(|p, q| dot(p, &x).total_cmp(&dot(q, &x)))?;
+        let support = differences
+            .iter()
+            .map(|d| d.rounded)
+            .min_by(|p, q| dot(p, &x).total_cmp(&dot(q, &x)))?;
         if dot(&support, &x) >= length * norm {
-            let found = [4u32, 12, 26, 50].into_iter().map(|bits| Leaf::Far(quantised(&x, bits).map(Into::into))).find(holds);
+            let found = [4u32, 12, 26, 50]
+                .into_iter()
+                .map(|bits| Leaf::Far(quantised(&x, bits).map(Into::into)))
+                .find(holds);
             if found.is_some() {
                 return found;
             }
         }
         let step = sub(&x, &support);
         let square = dot(&step, &step);
-        let fraction = if square > 0.0 { (dot(&x, &step) / square).clamp(0.0, 1.0) } else { 0.0 };
+        let fraction = if square > 0.0 {
+            (dot(&x, &step) / square).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
         if fraction <= 0.0 || norm < length {
             return None;
         }
@@ -130,7 +160,10 @@ fn factors<'x>(
     let rectangles: Vec<Rectangle> = xs
         .map(|x| {
             let shift = shift + x.iter().map(|c| c.bits() as i64).max().unwrap_or(0);
-            Rectangle { a: range(x, of_a, shift), b: range(x, of_b, shift) }
+            Rectangle {
+                a: range(x, of_a, shift),
+                b: range(x, of_b, shift),
+            }
         })
         .collect();
     choose(&rectangles, [0.0, 0.0], signs).map(|factors| factors.map(Into::into))

@@ -71,9 +71,16 @@ pub fn quotient<W: Word>(value: &W, scale: ScaleRef) -> f64 {
 impl FloatChain {
     /// The chain in floats. Pieces whose numbers leave the range of binary64 get infinite magnitudes, so that nothing is decided by them.
     pub fn new(chain: &Chain) -> Self {
-        let size: usize = chain.pieces.iter().map(|piece| piece.degree + piece.tangent_degree + 2).sum();
-        let mut floats =
-            FloatChain { pieces: Vec::with_capacity(chain.count()), closed: chain.closed, coefficients: Vec::with_capacity(size) };
+        let size: usize = chain
+            .pieces
+            .iter()
+            .map(|piece| piece.degree + piece.tangent_degree + 2)
+            .sum();
+        let mut floats = FloatChain {
+            pieces: Vec::with_capacity(chain.count()),
+            closed: chain.closed,
+            coefficients: Vec::with_capacity(size),
+        };
         for piece in 0..chain.count() {
             match chain.pieces[piece].width {
                 crate::check::chain::Width::Narrow => floats.push(chain, piece, &chain.narrow_numbers(piece)),
@@ -88,7 +95,10 @@ impl FloatChain {
         let piece = &chain.pieces[number];
         let start = self.coefficients.len();
         // Homogeneous coordinates may be scaled by any power of two.
-        let homogeneous = Scale { odd: Integer::from(1), exponent: numbers.weights.first().map_or(0, |w| w.bit_length()) };
+        let homogeneous = Scale {
+            odd: Integer::from(1),
+            exponent: numbers.weights.first().map_or(0, |w| w.bit_length()),
+        };
         let factor = |scale: &Scale| {
             // Exact divisors allow one multiplication for all coordinates of the piece.
             let power = scale.odd.is_one() && scale.exponent < 1000;
@@ -98,10 +108,18 @@ impl FloatChain {
             (Some(factor), Some(Ok(small))) => small as f64 * factor,
             _ => quotient(x, scale.doubled(0)),
         };
-        let point_scale = if piece.rational { &homogeneous } else { &piece.point_scale };
+        let point_scale = if piece.rational {
+            &homogeneous
+        } else {
+            &piece.point_scale
+        };
         let point_factor = factor(point_scale);
         for (k, point) in numbers.points.iter().enumerate() {
-            let weight = if piece.rational { as_float(&numbers.weights[k], point_scale, point_factor) } else { 1.0 };
+            let weight = if piece.rational {
+                as_float(&numbers.weights[k], point_scale, point_factor)
+            } else {
+                1.0
+            };
             let [x, y, z] = [0, 1, 2].map(|i| as_float(&point[i], point_scale, point_factor));
             self.coefficients.push([x, y, z, weight]);
         }
@@ -114,7 +132,11 @@ impl FloatChain {
         let (points, tangents) = all.split_at(piece.degree + 1);
         let most = |vectors: &[Vector]| {
             let most = vectors.iter().map(greatest).fold(0.0, f64::max);
-            if vectors.iter().flatten().all(|x| x.is_finite()) { most } else { f64::INFINITY }
+            if vectors.iter().flatten().all(|x| x.is_finite()) {
+                most
+            } else {
+                f64::INFINITY
+            }
         };
         self.pieces.push(FloatPiece {
             degree: piece.degree,
@@ -144,9 +166,18 @@ impl FloatChain {
     /// Error bounds of X (or P), w and D after a number of halvings.
     pub fn errors(&self, piece: usize, depth: u32) -> (f64, f64, f64) {
         let data = &self.pieces[piece];
-        let grown = |degree: usize, size: f64| (4.0 + degree as f64 * f64::from(depth)) * UNIT * size + f64::MIN_POSITIVE;
-        let weight = if data.rational { grown(data.degree, data.greatest_weight) } else { 0.0 };
-        (grown(data.degree, data.greatest_point), weight, grown(data.tangent_degree, data.greatest_tangent))
+        let grown =
+            |degree: usize, size: f64| (4.0 + degree as f64 * f64::from(depth)) * UNIT * size + f64::MIN_POSITIVE;
+        let weight = if data.rational {
+            grown(data.degree, data.greatest_weight)
+        } else {
+            0.0
+        };
+        (
+            grown(data.degree, data.greatest_point),
+            weight,
+            grown(data.tangent_degree, data.greatest_tangent),
+        )
     }
 
     /// Position, first and second derivative by the local parameter u.

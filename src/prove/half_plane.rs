@@ -43,7 +43,9 @@ pub fn choose(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs) -> Optio
 
 /// The bisector of the cone spanned by the rectangles' corners, if that cone is less than a half-plane.
 fn bisector(rectangles: &[Rectangle]) -> Option<[f64; 2]> {
-    let corners = rectangles.iter().flat_map(|r| [[r.a[0], r.b[0]], [r.a[0], r.b[1]], [r.a[1], r.b[0]], [r.a[1], r.b[1]]]);
+    let corners = rectangles
+        .iter()
+        .flat_map(|r| [[r.a[0], r.b[0]], [r.a[0], r.b[1]], [r.a[1], r.b[0]], [r.a[1], r.b[1]]]);
     let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
     let mut span: Option<([f64; 2], [f64; 2])> = None;
     for point in corners {
@@ -108,13 +110,36 @@ mod tests {
     fn no_choice_around_the_origin() {
         let points = [[1.0, 0.0], [-1.0, 0.1], [0.0, -1.0]].map(|[a, b]| Rectangle { a: [a, a], b: [b, b] });
         assert_eq!(choose(&points, [0.0; 2], [0, 0]), None);
-        assert_eq!(choose(&[Rectangle { a: [-1.0, 1.0], b: [-1.0, 1.0] }], [0.0; 2], [0, 0]), None);
-        assert_eq!(choose(&[Rectangle { a: [0.0; 2], b: [0.0; 2] }], [0.0; 2], [0, 0]), None);
+        assert_eq!(
+            choose(
+                &[Rectangle {
+                    a: [-1.0, 1.0],
+                    b: [-1.0, 1.0]
+                }],
+                [0.0; 2],
+                [0, 0]
+            ),
+            None
+        );
+        assert_eq!(
+            choose(
+                &[Rectangle {
+                    a: [0.0; 2],
+                    b: [0.0; 2]
+                }],
+                [0.0; 2],
+                [0, 0]
+            ),
+            None
+        );
     }
 
     #[test]
     fn signs_are_kept() {
-        let points = [Rectangle { a: [1.0, 2.0], b: [-1.0, -0.5] }];
+        let points = [Rectangle {
+            a: [1.0, 2.0],
+            b: [-1.0, -0.5],
+        }];
         assert_eq!(choose(&points, [0.0; 2], [-1, 0]), Some([0, -1]));
         assert_eq!(choose(&points, [0.0; 2], [-1, 1]), None);
     }

@@ -30,12 +30,21 @@ fn support(nodes: &Nodes, node: &Node, n: &Vector, greatest: bool) -> f64 {
     if node.is_run() {
         let mut sum = 0.0;
         for axis in 0..3 {
-            sum += n[axis] * if (n[axis] > 0.0) == greatest { node.high[axis] } else { node.low[axis] };
+            sum += n[axis]
+                * if (n[axis] > 0.0) == greatest {
+                    node.high[axis]
+                } else {
+                    node.low[axis]
+                };
         }
         return sum;
     }
     let products = nodes.hull(node).iter().map(|point| dot(n, point));
-    if greatest { products.fold(f64::NEG_INFINITY, f64::max) } else { products.fold(f64::INFINITY, f64::min) }
+    if greatest {
+        products.fold(f64::NEG_INFINITY, f64::max)
+    } else {
+        products.fold(f64::INFINITY, f64::min)
+    }
 }
 
 /// The greatest magnitude of a coordinate of a node.
@@ -127,16 +136,35 @@ fn extreme(nodes: &Nodes, node: &Node, n: &Vector, greatest: bool) -> Vector {
 /// `far` along the shortest vector between the two hulls, approached by Frank–Wolfe steps.
 fn nearest_far(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> Option<Leaf> {
     // Points of both hulls that are too near forbid any direction.
-    let first = |node: &Node| if node.is_run() { super::vector::middle(&node.low, &node.high) } else { nodes.hull(node)[0] };
-    let last = |node: &Node| if node.is_run() { super::vector::middle(&node.low, &node.high) } else { *nodes.hull(node).last().expect("a point") };
+    let first = |node: &Node| {
+        if node.is_run() {
+            super::vector::middle(&node.low, &node.high)
+        } else {
+            nodes.hull(node)[0]
+        }
+    };
+    let last = |node: &Node| {
+        if node.is_run() {
+            super::vector::middle(&node.low, &node.high)
+        } else {
+            *nodes.hull(node).last().expect("a point")
+        }
+    };
     let too_near = |p: Vector, q: Vector| {
         let x = sub(&p, &q);
         dot(&x, &x) < target.length * target.length
     };
-    if too_near(first(a), first(b)) || too_near(last(a), last(b)) || too_near(first(a), last(b)) || too_near(last(a), first(b)) {
+    if too_near(first(a), first(b))
+        || too_near(last(a), last(b))
+        || too_near(first(a), last(b))
+        || too_near(last(a), first(b))
+    {
         return None;
     }
-    let mut x = sub(&super::vector::middle(&a.low, &a.high), &super::vector::middle(&b.low, &b.high));
+    let mut x = sub(
+        &super::vector::middle(&a.low, &a.high),
+        &super::vector::middle(&b.low, &b.high),
+    );
     for _ in 0..6 {
         let length = dot(&x, &x).sqrt();
         if length <= target.length {
@@ -152,7 +180,11 @@ fn nearest_far(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> Option<Leaf
         // The point of the segment from x to the support point that is nearest to the origin.
         let step = sub(&x, &support);
         let square = dot(&step, &step);
-        let fraction = if square > 0.0 { (dot(&x, &step) / square).clamp(0.0, 1.0) } else { 0.0 };
+        let fraction = if square > 0.0 {
+            (dot(&x, &step) / square).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
         if fraction <= 0.0 {
             return None;
         }
@@ -167,7 +199,10 @@ pub fn far_within_errors(nodes: &Nodes, a: &Node, b: &Node, target: Target, slac
     if slack > 64.0 * (a.error + b.error + 4.0 * UNIT * (reach(a) + reach(b))) {
         return false;
     }
-    let mut n = sub(&super::vector::middle(&a.low, &a.high), &super::vector::middle(&b.low, &b.high));
+    let mut n = sub(
+        &super::vector::middle(&a.low, &a.high),
+        &super::vector::middle(&b.low, &b.high),
+    );
     for axis in 0..3 {
         if a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis] {
             continue;
@@ -208,11 +243,17 @@ pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
     // Coordinates from here, so that products stay small beside a large common offset.
     let origin = points_a[0];
     let of_v = ChordProducts::new(points_a, points_b, tangents_a, &origin);
-    if let Some(sign) = of_v.sign(errors[0]).filter(|sign| signs[0] == 0 || *sign == i64::from(signs[0])) {
+    if let Some(sign) = of_v
+        .sign(errors[0])
+        .filter(|sign| signs[0] == 0 || *sign == i64::from(signs[0]))
+    {
         return Some(Leaf::NotNormal([sign.into(), 0.into()]));
     }
     let of_w = ChordProducts::new(points_a, points_b, tangents_b, &origin);
-    if let Some(sign) = of_w.sign(errors[1]).filter(|sign| signs[1] == 0 || *sign == i64::from(signs[1])) {
+    if let Some(sign) = of_w
+        .sign(errors[1])
+        .filter(|sign| signs[1] == 0 || *sign == i64::from(signs[1]))
+    {
         return Some(Leaf::NotNormal([0.into(), sign.into()]));
     }
     let mut rectangles: SmallVec<[Rectangle; 16]> = SmallVec::new();
@@ -248,12 +289,19 @@ impl ChordProducts {
         for v in 0..tangents.len() {
             let bounds = |products: &Products| {
                 let of_v = products.iter().skip(v).step_by(tangents.len());
-                of_v.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(*x), high.max(*x)])
+                of_v.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
+                    [low.min(*x), high.max(*x)]
+                })
             };
             let (p, q) = (bounds(&of_a), bounds(&of_b));
             range = [range[0].min(p[0] - q[1]), range[1].max(p[1] - q[0])];
         }
-        ChordProducts { of_a, of_b, tangents: tangents.len(), range }
+        ChordProducts {
+            of_a,
+            of_b,
+            tangents: tangents.len(),
+            range,
+        }
     }
 
     /// The sign that all (p−q)·v certainly have.
@@ -357,7 +405,11 @@ pub fn cone(nodes: &Nodes, a: &Node, b: Option<&Node>) -> Option<Leaf> {
 
 /// Are the tangents of a node so much larger than their errors that their directions are right to 10⁻⁷?
 fn trustworthy(nodes: &Nodes, node: &Node) -> bool {
-    node.is_run() || nodes.tangents(node).iter().all(|v| greatest(v) > 1e8 * node.tangent_error)
+    node.is_run()
+        || nodes
+            .tangents(node)
+            .iter()
+            .all(|v| greatest(v) > 1e8 * node.tangent_error)
 }
 
 /// `bend` for one node or two adjacent ones, none of them a run.
@@ -372,10 +424,20 @@ pub fn bend(nodes: &Nodes, a: &Node, b: Option<&Node>, signs: Signs) -> Option<L
     }
     let range = |x: &Vector, vectors: &[Vector]| {
         let products = vectors.iter().map(|v| dot(x, v));
-        products.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| [low.min(y), high.max(y)])
+        products.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| {
+            [low.min(y), high.max(y)]
+        })
     };
-    let path = [a, second].into_iter().filter(|node| !node.is_point()).flat_map(|node| nodes.tangents(node));
-    let rectangles: SmallVec<[Rectangle; 16]> = path.map(|x| Rectangle { a: range(x, v), b: range(x, w) }).collect();
+    let path = [a, second]
+        .into_iter()
+        .filter(|node| !node.is_point())
+        .flat_map(|node| nodes.tangents(node));
+    let rectangles: SmallVec<[Rectangle; 16]> = path
+        .map(|x| Rectangle {
+            a: range(x, v),
+            b: range(x, w),
+        })
+        .collect();
     let most = |vectors: &[Vector]| vectors.iter().map(norm1).fold(0.0, f64::max);
     let (size, tangent_error) = (most(v).max(most(w)), a.tangent_error.max(second.tangent_error));
     let error = 2.0 * size * tangent_error + 3.0 * tangent_error * tangent_error + 8.0 * UNIT * size * size;

@@ -9,7 +9,7 @@ use super::float_chain::FloatChain;
 use super::node::run_cones;
 use super::seeds;
 use super::tree::{Curve as SearchCurve, Failure, search};
-use super::upper::{Bounds, UpperBound, few_bits_between};
+use super::upper::{Bounds, UpperBound, few_bits_between, raw_product};
 use crate::certificate::{Document, Encoding, write};
 use crate::check::chain::Chain;
 use crate::check::cover::Context;
@@ -72,6 +72,11 @@ pub struct Certified {
 pub enum CertifyError {
     /// Writing failed.
     Io(io::Error),
+    /// A piece of the curve is a single point and has no tangent; nothing can be certified.
+    PointPiece {
+        /// Its number.
+        piece: usize,
+    },
     /// The checker did not accept what the search found; nothing was written. This is an error of this program.
     Refuted(String),
 }
@@ -80,7 +85,15 @@ impl std::fmt::Display for CertifyError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             CertifyError::Io(error) => write!(f, "writing failed: {error}"),
-            CertifyError::Refuted(why) => write!(f, "the checker refuses the evidence found, nothing was written ({why})"),
+            CertifyError::PointPiece { piece } => {
+                write!(
+                    f,
+                    "piece {piece} is a single point and has no tangent; leave it out of the curve"
+                )
+            }
+            CertifyError::Refuted(why) => {
+                write!(f, "the checker refuses the evidence found, nothing was written ({why})")
+            }
         }
     }
 }
@@ -113,7 +126,11 @@ impl Certified {
     ///
     /// # Errors
     /// [`CertifyError::Refuted`] when the checker does not accept the file, which must then be thrown away.
-    pub fn write_checked<F: Read + Write + Seek>(&mut self, encoding: Encoding, file: &mut F) -> Result<(), CertifyError> {
+    pub fn write_checked<F: Read + Write + Seek>(
+        &mut self,
+        encoding: Encoding,
+        file: &mut F,
+    ) -> Result<(), CertifyError> {
         {
             let mut out = io::BufWriter::with_capacity(1 << 16, &mut *file);
             self.write(encoding, &mut out)?;
@@ -132,7 +149,7 @@ impl Certified {
 /// Certifies the minimum separation distance of a curve. `progress` is called with the part of the present search that is done.
 ///
 /// # Errors
-/// Those of the temporary file that holds a large tree.
+/// [`CertifyError::PointPiece`], and those of the temporary file that holds a large tree.
 pub fn certify(curve: &Curve, options: &Options, progress: &dyn Fn(f64)) -> Result<Certified, CertifyError> {
     let document = Document {
         tool: TOOL.into(),
@@ -147,21 +164,41 @@ pub fn certify(curve: &Curve, options: &Options, progress: &dyn Fn(f64)) -> Resu
         evidence: Evidence { grid: 0, upper: None },
         has_tree: false,
     };
-    let nothing = |status| Certified { status, document: document.clone(), leaves: 0, at: None, tree: SpooledTempFile::new(IN_MEMORY) };
+    let nothing = |status| Certified {
+        status,
+        document: document.clone(),
+        leaves: 0,
+        at: None,
+        tree: SpooledTempFile::new(IN_MEMORY),
+    };
     let chain = match Chain::new(curve) {
         Ok(chain) => chain,
         Err(piece) => {
-            let why = format!("piece {piece} is a single point, so the curve has no tangent there");
-            return Ok(nothing(Status::Undecided(why)));
+            return Err(CertifyError::PointPiece { piece });
         }
     };
     let floats = FloatChain::new(&chain);
     let grid = grid(&floats);
     let context = Context::new(&chain, options.convention, grid);
     let run_cones = run_cones(&context, &floats);
-    let bounds = Bounds { chain: &chain, floats: &floats, convention: options.convention };
-    let search_curve = SearchCurve { context: &context, floats: &floats, run_cones: &run_cones };
-    let mut work = Work { options, curve: search_curve, bounds, progress, upper: None, knots: &|parameter| curve.chain().knot_at(parameter) };
+    let bounds = Bounds {
+        chain: &chain,
+        floats: &floats,
+        convention: options.convention,
+    };
+    let search_curve = SearchCurve {
+        context: &context,
+        floats: &floats,
+        run_cones: &run_cones,
+    };
+    let mut work = Work {
+        options,
+        curve: search_curve,
+        bounds,
+        progress,
+        upper: None,
+        knots: &|parameter| curve.chain().knot_at(parameter),
+    };
     let found = work.run()?;
     let mut certified = nothing(found.status);
     certified.document.statement.lower_squared = found.lower;
@@ -187,14 +224,20 @@ fn grid(floats: &FloatChain) -> u32 {
         let points = floats.points(piece);
         let (p, q) = (points[0], points[points.len() - 1]);
         let weight = p[3].min(q[3]);
-        size += (0..3).map(|i| (p[i] / p[3] - q[i] / q[3]).abs()).fold(floats.pieces[piece].greatest_tangent / weight.max(1.0), f64::max);
+        size += (0..3)
+            .map(|i| (p[i] / p[3] - q[i] / q[3]).abs())
+            .fold(floats.pieces[piece].greatest_tangent / weight.max(1.0), f64::max);
         reach = reach.max(floats.pieces[piece].greatest_point / weight);
     }
     let mean = size / floats.pieces.len() as f64;
     let fine = (200.0 / mean).log2().ceil();
     let room = (2f64.powi(40) / reach).log2().floor();
     let exponent = fine.min(room);
-    if exponent.is_nan() { 0 } else { exponent.clamp(0.0, 4000.0) as u32 }
+    if exponent.is_nan() {
+        0
+    } else {
+        exponent.clamp(0.0, 4000.0) as u32
+    }
 }
 
 /// What a search has found.
@@ -229,10 +272,16 @@ impl Work<'_> {
 
     fn run(&mut self) -> Result<Found, CertifyError> {
         let steps = 10_000 + 400 * self.curve.context.elements.count() as u64;
-        let seeds::Found { candidates, suspicious } = seeds::find(&mut self.curve.nodes(), steps.min(self.budget().saturating_mul(40).max(10_000)));
+        let seeds::Found { candidates, suspicious } = seeds::find(
+            &mut self.curve.nodes(),
+            steps.min(self.budget().saturating_mul(40).max(10_000)),
+        );
         if suspicious {
             // A point that is not regular makes every positive bound impossible; it is found faster alone.
-            let goal = Goal { diagonal: true, ..self.goal(&Lower::Infinite, &self.options.relative_width) };
+            let goal = Goal {
+                diagonal: true,
+                ..self.goal(&Lower::Infinite, &self.options.relative_width)
+            };
             if let Err(Failure::Event(Event::Stuck(stuck))) = search(&self.curve, &goal, &mut io::sink(), &|_| ()) {
                 let why = self.describe(&stuck);
                 return Ok(self.found(Status::Undecided(why), zero_lower(), None));
@@ -299,7 +348,12 @@ impl Work<'_> {
     }
 
     fn found(&mut self, status: Status, lower: Lower, tree: Option<(SpooledTempFile, u64)>) -> Found {
-        Found { status, lower, upper: self.upper.take(), tree }
+        Found {
+            status,
+            lower,
+            upper: self.upper.take(),
+            tree,
+        }
     }
 
     fn goal(&self, lower: &Lower, relative_width: &Rational) -> Goal {
@@ -308,7 +362,14 @@ impl Work<'_> {
             Lower::Finite(squared) => squared.to_f64().sqrt() * (1.0 + 4.0 * f64::EPSILON),
         };
         let halvings = 30.0 - 0.75 * self.options.relative_width.to_f64().log2();
-        Goal { lower: lower.clone(), length, max_depth: halvings.clamp(40.0, 118.0) as u32, budget: self.budget(), diagonal: false, slack: length * relative_width.to_f64() }
+        Goal {
+            lower: lower.clone(),
+            length,
+            max_depth: halvings.clamp(40.0, 118.0) as u32,
+            budget: self.budget(),
+            diagonal: false,
+            slack: length * relative_width.to_f64(),
+        }
     }
 
     fn attempt(&self, lower: &Lower, relative_width: &Rational) -> Result<Attempt, CertifyError> {
@@ -323,20 +384,33 @@ impl Work<'_> {
 
     /// A double point near a pair that nothing separates.
     fn crossing(&self, stuck: &Stuck) -> Option<UpperBound> {
-        if stuck.adjacent { None } else { self.bounds.crossing(stuck.s, stuck.t) }
+        if stuck.adjacent {
+            None
+        } else {
+            self.bounds.crossing(stuck.s, stuck.t)
+        }
     }
 
     fn describe(&self, stuck: &Stuck) -> String {
         let at = |(piece, u): (usize, f64)| {
             let parameter = Rational::from_f64(u).map(|u| Rational::from_integer(piece.into()) + u);
-            let knot = parameter.and_then(|parameter| (self.knots)(&parameter)).map_or(f64::NAN, |knot| knot.to_f64());
+            let knot = parameter
+                .and_then(|parameter| (self.knots)(&parameter))
+                .map_or(f64::NAN, |knot| knot.to_f64());
             format!("parameter {knot:.12} (piece {piece} at {u:.12})")
         };
         if stuck.adjacent {
-            format!("the derivative vanishes or the curve turns back at about {}", at(stuck.s))
+            format!(
+                "the derivative vanishes or the curve turns back at about {}",
+                at(stuck.s)
+            )
         } else {
             let apart = stuck.distance;
-            format!("the points at about {} and {}, {apart:.3e} apart, could not be told from a double normal or a double point", at(stuck.s), at(stuck.t))
+            format!(
+                "the points at about {} and {}, {apart:.3e} apart, could not be told from a double normal or a double point",
+                at(stuck.s),
+                at(stuck.t)
+            )
         }
     }
 
@@ -355,7 +429,8 @@ impl Work<'_> {
         let mut proved: Option<(Lower, SpooledTempFile, u64)> = None;
         // Small fractions of the upper bound's square, and then relative widths of 10^-k.
         let one = Rational::from_integer(1.into());
-        let coarse = [40u32, 30, 20, 14, 10, 7, 5, 3, 2, 1].map(|bits| &one - Rational::new(1.into(), Integer::from(1) << bits));
+        let coarse =
+            [40u32, 30, 20, 14, 10, 7, 5, 3, 2, 1].map(|bits| &one - Rational::new(1.into(), Integer::from(1) << bits));
         let fine = (1..=30u32).map(|k| Rational::new(1.into(), Integer::from(10).pow(k)));
         for width in coarse.into_iter().chain(fine) {
             if width <= self.options.relative_width {
@@ -390,5 +465,9 @@ fn below(squared: &Rational, relative_width: &Rational) -> Rational {
     let one = Rational::from_integer(1.into());
     let factor = &one - relative_width;
     let nearer = &factor + &factor * relative_width / Rational::from_integer(20.into());
-    few_bits_between(&(squared * &factor * &factor), &(squared * &nearer * &nearer))
+    let (low, high) = (
+        raw_product(&[squared, &factor, &factor]),
+        raw_product(&[squared, &nearer, &nearer]),
+    );
+    few_bits_between(&low, &high, 0.1 * relative_width.to_f64())
 }

@@ -28,7 +28,10 @@ pub fn double_normal(floats: &FloatChain, s: Location, t: Location) -> Option<Ca
         let ([p, p1, p2], [q, q1, q2]) = (floats.evaluate(s.0, s.1), floats.evaluate(t.0, t.1));
         let x = sub(&p, &q);
         let (f, g) = (dot(&x, &p1), dot(&x, &q1));
-        let jacobian = [[dot(&p1, &p1) + dot(&x, &p2), -dot(&p1, &q1)], [dot(&p1, &q1), dot(&x, &q2) - dot(&q1, &q1)]];
+        let jacobian = [
+            [dot(&p1, &p1) + dot(&x, &p2), -dot(&p1, &q1)],
+            [dot(&p1, &q1), dot(&x, &q2) - dot(&q1, &q1)],
+        ];
         let [ds, dt] = step(&jacobian, f, g);
         if !ds.is_finite() || !dt.is_finite() || ds.abs() > 3.0 || dt.abs() > 3.0 {
             return None;
@@ -85,7 +88,11 @@ fn moved(floats: &FloatChain, (piece, _): Location, u: f64) -> Option<Location> 
     if (0.0..=1.0).contains(&u) {
         return Some((piece, u));
     }
-    let (next, u) = if u > 1.0 { (piece + 1, u - 1.0) } else { (piece.wrapping_sub(1), u + 1.0) };
+    let (next, u) = if u > 1.0 {
+        (piece + 1, u - 1.0)
+    } else {
+        (piece.wrapping_sub(1), u + 1.0)
+    };
     if next < count {
         return Some((next, u.clamp(0.0, 1.0)));
     }

@@ -72,7 +72,11 @@ impl Node {
 
     /// How often its piece was halved, 0 for other nodes.
     pub fn depth(&self) -> u32 {
-        if let Kind::Part { depth, .. } = self.kind { depth } else { 0 }
+        if let Kind::Part { depth, .. } = self.kind {
+            depth
+        } else {
+            0
+        }
     }
 
     /// The diagonal of its box, squared.
@@ -146,7 +150,13 @@ impl<'s> Nodes<'s> {
     /// An empty stack.
     pub fn new(context: &'s Context<'s>, floats: &'s FloatChain, run_cones: &'s [Cone]) -> Self {
         let grid_unit = 2f64.powi(-(context.grid.min(1000) as i32));
-        Nodes { context, floats, run_cones, grid_unit, arena: Vec::with_capacity(1024) }
+        Nodes {
+            context,
+            floats,
+            run_cones,
+            grid_unit,
+            arena: Vec::with_capacity(1024),
+        }
     }
 
     /// The height of the stack, to return to.
@@ -189,7 +199,16 @@ impl<'s> Nodes<'s> {
                 self.arena.extend_from_slice(self.floats.points(piece));
                 let middle = self.arena.len();
                 self.arena.extend_from_slice(self.floats.tangents(piece));
-                self.part(piece, 0, 0, Stretch { start, end: middle }, Stretch { start: middle, end: self.arena.len() })
+                self.part(
+                    piece,
+                    0,
+                    0,
+                    Stretch { start, end: middle },
+                    Stretch {
+                        start: middle,
+                        end: self.arena.len(),
+                    },
+                )
             }
             point => self.point(point),
         }
@@ -199,7 +218,11 @@ impl<'s> Nodes<'s> {
     fn run_box(&self, number: usize) -> [Vector; 2] {
         let outward = |x: &i64, up: bool| {
             let nearest = *x as f64;
-            let slack = if x.unsigned_abs() >> 53 == 0 { 0.0 } else { nearest.abs() * UNIT };
+            let slack = if x.unsigned_abs() >> 53 == 0 {
+                0.0
+            } else {
+                nearest.abs() * UNIT
+            };
             (if up { nearest + slack } else { nearest - slack }) * self.grid_unit
         };
         match &self.context.boxes {
@@ -211,7 +234,13 @@ impl<'s> Nodes<'s> {
             crate::check::boxes::Boxes::Large(boxes) => {
                 let [low, high] = &boxes[number];
                 let scale = self.context.grid_scale();
-                let wide = |x: f64, up: bool| if up { x + x.abs() * 8.0 * UNIT } else { x - x.abs() * 8.0 * UNIT };
+                let wide = |x: f64, up: bool| {
+                    if up {
+                        x + x.abs() * 8.0 * UNIT
+                    } else {
+                        x - x.abs() * 8.0 * UNIT
+                    }
+                };
                 let vector = |v: &[crate::number::Integer; 3], up| {
                     let [x, y, z] = [0, 1, 2].map(|i| wide(super::float_chain::quotient(&v[i], scale), up));
                     [x, y, z, 0.0]
@@ -249,7 +278,10 @@ impl<'s> Nodes<'s> {
             has_end: !matches!(element, Element::Corner(_)),
             coefficients: Stretch { start, end: middle },
             hull: Stretch { start, end: middle },
-            tangents: Stretch { start: middle, end: self.arena.len() },
+            tangents: Stretch {
+                start: middle,
+                end: self.arena.len(),
+            },
         }
     }
 
@@ -266,7 +298,10 @@ impl<'s> Nodes<'s> {
                 greatest = greatest.max(super::vector::greatest(&point));
                 self.arena.push(point);
             }
-            hull = Stretch { start, end: self.arena.len() };
+            hull = Stretch {
+                start,
+                end: self.arena.len(),
+            };
             error = affine_error(error, weight_error, least_weight, greatest);
         }
         let points = &self.arena[hull.start..hull.end];
@@ -278,7 +313,17 @@ impl<'s> Nodes<'s> {
             }
         }
         let kind = Kind::Part { piece, index, depth };
-        Node { kind, low, high, error, tangent_error, has_end: false, coefficients, hull, tangents }
+        Node {
+            kind,
+            low,
+            high,
+            error,
+            tangent_error,
+            has_end: false,
+            coefficients,
+            hull,
+            tangents,
+        }
     }
 
     /// The two halves of a node; `None` for a corner or an end.
@@ -315,7 +360,16 @@ impl<'s> Nodes<'s> {
                 right[i] = middle(&right[i], &right[i + 1]);
             }
         }
-        (Stretch { start, end: start + count }, Stretch { start: start + count, end: start + 2 * count })
+        (
+            Stretch {
+                start,
+                end: start + count,
+            },
+            Stretch {
+                start: start + count,
+                end: start + 2 * count,
+            },
+        )
     }
 
     /// Hull points of a part, a corner or an end.

@@ -37,12 +37,26 @@ pub struct Found {
 /// Looks for short double normals, in a bounded number of steps.
 pub fn find(nodes: &mut Nodes, steps: u64) -> Found {
     let whole = nodes.whole();
-    let mut seeds = Seeds { nodes, found: Vec::new(), shortest: f64::INFINITY, steps, suspicious: false };
+    let mut seeds = Seeds {
+        nodes,
+        found: Vec::new(),
+        shortest: f64::INFINITY,
+        steps,
+        suspicious: false,
+    };
     seeds.pair(&whole, None, Contact::default());
-    let Seeds { found: mut candidates, suspicious, steps, .. } = seeds;
+    let Seeds {
+        found: mut candidates,
+        suspicious,
+        steps,
+        ..
+    } = seeds;
     candidates.sort_by(|a, b| a.squared.total_cmp(&b.squared));
     candidates.truncate(KEPT);
-    Found { candidates, suspicious: suspicious || steps == 0 }
+    Found {
+        candidates,
+        suspicious: suspicious || steps == 0,
+    }
 }
 
 /// The squared distance of two boxes.
@@ -67,7 +81,10 @@ impl Seeds<'_, '_> {
             }
             let mark = self.nodes.mark();
             if let Some((left, right)) = self.nodes.halves(a) {
-                let between = Contact { forward: true, backward: self.nodes.floats.closed && self.nodes.is_whole(a) };
+                let between = Contact {
+                    forward: true,
+                    backward: self.nodes.floats.closed && self.nodes.is_whole(a),
+                };
                 self.pair(&left, None, Contact::default());
                 self.pair(&right, None, Contact::default());
                 self.pair(&left, Some(&right), between);
@@ -93,15 +110,22 @@ impl Seeds<'_, '_> {
         let mark = self.nodes.mark();
         let first = splits_first(a, b);
         if let Some((left, right)) = self.nodes.halves(if first { a } else { b }) {
-            let (of_left, of_right) =
-                if first { contact.of_first_halves(&left, &right) } else { contact.of_second_halves(&left, &right) };
+            let (of_left, of_right) = if first {
+                contact.of_first_halves(&left, &right)
+            } else {
+                contact.of_second_halves(&left, &right)
+            };
             let other = if first { b } else { a };
             let mut halves = [(left, of_left), (right, of_right)];
             if box_distance(&halves[1].0, other) < box_distance(&halves[0].0, other) {
                 halves.swap(0, 1);
             }
             for (half, contact) in halves {
-                if first { self.pair(&half, Some(b), contact) } else { self.pair(a, Some(&half), contact) }
+                if first {
+                    self.pair(&half, Some(b), contact)
+                } else {
+                    self.pair(a, Some(&half), contact)
+                }
             }
         }
         self.nodes.release(mark);
@@ -132,7 +156,9 @@ impl Seeds<'_, '_> {
         if a.is_point() || b.is_point() {
             return self.corner_and_part(a, b);
         }
-        let (Some(s), Some(t)) = (a.middle(), b.middle()) else { return false };
+        let (Some(s), Some(t)) = (a.middle(), b.middle()) else {
+            return false;
+        };
         match newton::double_normal(self.nodes.floats, s, t) {
             Some(found) => {
                 self.add(found);
@@ -169,7 +195,11 @@ impl Seeds<'_, '_> {
         let (p, q) = (self.nodes.hull(a)[0], self.nodes.hull(b)[0]);
         if let (Some((s, true)), Some((t, true))) = (self.critical_at(a, &q), self.critical_at(b, &p)) {
             let x = sub(&p, &q);
-            self.add(Candidate { s, t, squared: dot(&x, &x) });
+            self.add(Candidate {
+                s,
+                t,
+                squared: dot(&x, &x),
+            });
         }
     }
 
@@ -177,13 +207,23 @@ impl Seeds<'_, '_> {
         let (point, part) = if a.is_point() { (a, b) } else { (b, a) };
         let Some(middle) = part.middle() else { return false };
         let corner = self.nodes.hull(point)[0];
-        let Some(foot) = newton::foot(self.nodes.floats, &corner, middle) else { return part.depth() >= 4 };
+        let Some(foot) = newton::foot(self.nodes.floats, &corner, middle) else {
+            return part.depth() >= 4;
+        };
         let [q, _, _] = self.nodes.floats.evaluate(foot.0, foot.1);
         if let Some((location, true)) = self.critical_at(point, &q) {
             let x = sub(&q, &corner);
-            let (s, t) = if (location.0, location.1) <= (foot.0, foot.1) { (location, foot) } else { (foot, location) };
+            let (s, t) = if (location.0, location.1) <= (foot.0, foot.1) {
+                (location, foot)
+            } else {
+                (foot, location)
+            };
             if dot(&x, &x) > 0.0 {
-                self.add(Candidate { s, t, squared: dot(&x, &x) });
+                self.add(Candidate {
+                    s,
+                    t,
+                    squared: dot(&x, &x),
+                });
             }
         }
         near(part, foot)
@@ -192,7 +232,9 @@ impl Seeds<'_, '_> {
 
 /// Is a location in a part or beside it?
 fn near(part: &Node, location: Location) -> bool {
-    let Kind::Part { piece, index, depth } = part.kind else { return false };
+    let Kind::Part { piece, index, depth } = part.kind else {
+        return false;
+    };
     let width = 2f64.powi(-(depth as i32));
     let start = index as f64 * width;
     location.0 == piece && (start - width..=start + 2.0 * width).contains(&location.1)

@@ -40,7 +40,11 @@ struct Elements {
 
 enum Item {
     Tokens(Vec<u8>),
-    Subtree { a: Elements, b: Option<Elements>, contact: Contact },
+    Subtree {
+        a: Elements,
+        b: Option<Elements>,
+        contact: Contact,
+    },
 }
 
 /// Subtrees that are worked on between two writes.
@@ -58,8 +62,24 @@ pub enum Failure {
 /// Searches the whole tree and writes its tokens; returns the number of leaves.
 pub fn search(curve: &Curve, goal: &Goal, out: &mut dyn Write, progress: &dyn Fn(f64)) -> Result<u64, Failure> {
     let count = curve.context.elements.count();
-    let mut plan = Plan { curve, goal, items: Vec::new(), tokens: Vec::new(), leaves: 0, small: (count / 256).max(64) };
-    plan.pair(Elements { number: 0, first: 0, last: count }, None, Contact::default()).map_err(Failure::Event)?;
+    let mut plan = Plan {
+        curve,
+        goal,
+        items: Vec::new(),
+        tokens: Vec::new(),
+        leaves: 0,
+        small: (count / 256).max(64),
+    };
+    plan.pair(
+        Elements {
+            number: 0,
+            first: 0,
+            last: count,
+        },
+        None,
+        Contact::default(),
+    )
+    .map_err(Failure::Event)?;
     plan.flush();
     let Plan { items, mut leaves, .. } = plan;
     let total = items.len();
@@ -139,13 +159,22 @@ impl Plan<'_, '_> {
             self.emit(&Token::Split);
             let backward = size(a) == self.curve.context.elements.count() && self.curve.floats.closed;
             self.pair(left, None, Contact::default())?;
-            self.pair(left, Some(right), Contact { forward: true, backward })?;
+            self.pair(
+                left,
+                Some(right),
+                Contact {
+                    forward: true,
+                    backward,
+                },
+            )?;
             return self.pair(right, None, Contact::default());
         };
         let first = splits_first(&node_a, node_b.as_ref().expect("two nodes")) && size(a) >= 2 || size(b) < 2;
         let (left, right) = self.halves(if first { a } else { b });
-        let (node_left, node_right) =
-            (nodes.of_elements(left.number, left.first, left.last), nodes.of_elements(right.number, right.first, right.last));
+        let (node_left, node_right) = (
+            nodes.of_elements(left.number, left.first, left.last),
+            nodes.of_elements(right.number, right.first, right.last),
+        );
         if first {
             self.emit(&Token::First);
             let (of_left, of_right) = contact.of_first_halves(&node_left, &node_right);
@@ -163,7 +192,18 @@ impl Plan<'_, '_> {
         use crate::check::boxes::Boxes;
         let Elements { number, first, last } = elements;
         let middle = (first + last) / 2;
-        let left = Elements { number: Boxes::left(number), first, last: middle };
-        (left, Elements { number: Boxes::right(number, middle - first), first: middle, last })
+        let left = Elements {
+            number: Boxes::left(number),
+            first,
+            last: middle,
+        };
+        (
+            left,
+            Elements {
+                number: Boxes::right(number, middle - first),
+                first: middle,
+                last,
+            },
+        )
     }
 }

@@ -44,21 +44,41 @@ fn power_of_two(bits: u32) -> Rational {
 /// The rational nearest to `x` with denominator 2^bits.
 fn rounded(x: &Rational, bits: u32) -> Rational {
     let half = Rational::new(Integer::from(1), Integer::from(2));
-    Rational::new((x * Rational::from_integer(Integer::from(1) << bits) + half).floor().to_integer(), Integer::from(1) << bits)
+    Rational::new(
+        (x * Rational::from_integer(Integer::from(1) << bits) + half)
+            .floor()
+            .to_integer(),
+        Integer::from(1) << bits,
+    )
 }
 
-/// A fraction with few bits in a closed interval of positive numbers.
-pub fn few_bits_between(low: &Rational, high: &Rational) -> Rational {
+/// A fraction with few bits in the closed interval [low, high] of positive numbers, whose width is about `relative` times them.
+pub fn few_bits_between(low: &Rational, high: &Rational, relative: f64) -> Rational {
     // First inwards to multiples of a power of two, so that the search for the simplest fraction has small numbers.
-    let width = high - low;
-    let bits = width.denom().bits().saturating_sub(width.numer().bits()) + 4;
-    let Ok(bits) = u32::try_from(bits) else { return simplest_between(low, high) };
-    let unit = Integer::from(1) << bits;
-    let (inner_low, inner_high) = (low.ceil_shifted(bits), high.floor_shifted(bits));
-    if inner_low > inner_high {
+    let size = low.numer().bits() as f64 - low.denom().bits() as f64;
+    let bits = (4.0 - relative.log2() - size).ceil();
+    if !(0.0..10_000.0).contains(&bits) {
         return simplest_between(low, high);
     }
-    simplest_between(&Rational::new(inner_low, unit.clone()), &Rational::new(inner_high, unit))
+    let unit = Integer::from(1) << bits as u32;
+    let (inner_low, inner_high) = (low.ceil_shifted(bits as u32), high.floor_shifted(bits as u32));
+    if inner_low > inner_high {
+        return simplest_between(&low.reduced(), &high.reduced());
+    }
+    simplest_between(
+        &Rational::new(inner_low, unit.clone()),
+        &Rational::new(inner_high, unit),
+    )
+}
+
+/// The product of fractions, not reduced.
+pub fn raw_product(factors: &[&Rational]) -> Rational {
+    let product = |part: fn(&Rational) -> &Integer| {
+        factors
+            .iter()
+            .fold(Integer::from(1), |product, factor| product * part(factor))
+    };
+    Rational::new_raw(product(Rational::numer), product(Rational::denom))
 }
 
 impl Bounds<'_> {
@@ -69,7 +89,11 @@ impl Bounds<'_> {
 
     /// M is written 0 on a closed curve.
     fn normal(&self, s: Rational) -> Rational {
-        if self.chain.closed && s >= integer(self.chain.count()) { s - integer(self.chain.count()) } else { s }
+        if self.chain.closed && s >= integer(self.chain.count()) {
+            s - integer(self.chain.count())
+        } else {
+            s
+        }
     }
 
     fn local(&self, s: &Rational) -> Location {
@@ -80,7 +104,9 @@ impl Bounds<'_> {
 
     /// Evidence near a candidate, with a bound within the relative width of its length.
     pub fn prove(&self, candidate: &Candidate, relative_width: &Rational) -> Option<UpperBound> {
-        self.rational_root(candidate).or_else(|| self.critical_interval(candidate, relative_width)).or_else(|| self.miranda(candidate, relative_width))
+        self.rational_root(candidate)
+            .or_else(|| self.critical_interval(candidate, relative_width))
+            .or_else(|| self.miranda(candidate, relative_width))
     }
 
     /// A root at simple fractions near the candidate.
@@ -104,9 +130,15 @@ impl Bounds<'_> {
             for denominator in [1.0, 2.0, 4.0, 8.0] {
                 let fixed = ((free.1 * denominator).round() / denominator).clamp(0.0, 1.0);
                 let [p, _, _] = self.floats.evaluate(free.0, fixed);
-                let Some(foot) = newton::foot(self.floats, &p, other) else { continue };
-                let Some(u) = approximate(foot.1, 1 << 20) else { continue };
-                let Some(fixed) = Rational::from_f64(fixed) else { continue };
+                let Some(foot) = newton::foot(self.floats, &p, other) else {
+                    continue;
+                };
+                let Some(u) = approximate(foot.1, 1 << 20) else {
+                    continue;
+                };
+                let Some(fixed) = Rational::from_f64(fixed) else {
+                    continue;
+                };
                 let found = self.exact_pair(&self.normal(integer(free.0) + fixed), &self.normal(integer(foot.0) + u));
                 if found.is_some() {
                     return found;
@@ -125,7 +157,10 @@ impl Bounds<'_> {
     fn jacobian(&self, s: Location, t: Location) -> [[f64; 2]; 2] {
         let ([p, p1, p2], [q, q1, q2]) = (self.floats.evaluate(s.0, s.1), self.floats.evaluate(t.0, t.1));
         let x = sub(&p, &q);
-        [[dot(&p1, &p1) + dot(&x, &p2), -dot(&p1, &q1)], [dot(&p1, &q1), dot(&x, &q2) - dot(&q1, &q1)]]
+        [
+            [dot(&p1, &p1) + dot(&x, &p2), -dot(&p1, &q1)],
+            [dot(&p1, &q1), dot(&x, &q2) - dot(&q1, &q1)],
+        ]
     }
 
     /// Exact evidence at two exact parameters.
@@ -136,23 +171,43 @@ impl Bounds<'_> {
         }
         let sides = |parameter: &Rational| -> Vec<Side> {
             let both = [Side::After, Side::Before];
-            let there = both.into_iter().filter(|side| locate(self.chain, parameter, *side).is_some());
+            let there = both
+                .into_iter()
+                .filter(|side| locate(self.chain, parameter, *side).is_some());
             there.take(if parameter.is_integer() { 2 } else { 1 }).collect()
         };
-        let bound = |rule, squared| Some(UpperBound { rule, squared, at: [s.clone(), t.clone()] });
+        let bound = |rule, squared| {
+            Some(UpperBound {
+                rule,
+                squared,
+                at: [s.clone(), t.clone()],
+            })
+        };
         for side_s in sides(s) {
             for side_t in sides(t) {
                 let (x, unit) = root::chord(self.chain, (s, side_s), (t, side_t))?;
                 let squared = Rational::new(root::product(&x, &x), &unit * &unit);
                 if squared.numer().is_zero() {
-                    return bound(Upper::Touch { s: s.clone(), t: t.clone() }, squared);
+                    return bound(
+                        Upper::Touch {
+                            s: s.clone(),
+                            t: t.clone(),
+                        },
+                        squared,
+                    );
                 }
                 let (at_s, at_t) = ((s.clone(), side_s), (t.clone(), side_t));
                 if root::check(self.chain, &at_s, &at_t, &squared).is_ok() {
                     return bound(Upper::Root { s: at_s, t: at_t }, squared);
                 }
                 if self.convention == Convention::Critical && critical::check_root(self.chain, s, t, &squared).is_ok() {
-                    return bound(Upper::CriticalRoot { s: s.clone(), t: t.clone() }, squared);
+                    return bound(
+                        Upper::CriticalRoot {
+                            s: s.clone(),
+                            t: t.clone(),
+                        },
+                        squared,
+                    );
                 }
             }
         }
@@ -167,14 +222,23 @@ impl Bounds<'_> {
         let determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
         let (ds_scale, dt_scale) = (self.field_scale(a), self.field_scale(b));
         for _ in 0..8 {
-            let (of_s, of_t) = (locate(self.chain, &s, Side::After)?, locate(self.chain, &t, Side::After)?);
-            let (p, q) = (point::<Integer>(self.chain, &of_s)?, point::<Integer>(self.chain, &of_t)?);
+            let (of_s, of_t) = (
+                locate(self.chain, &s, Side::After)?,
+                locate(self.chain, &t, Side::After)?,
+            );
+            let (p, q) = (
+                point::<Integer>(self.chain, &of_s)?,
+                point::<Integer>(self.chain, &of_t)?,
+            );
             let (of_p, of_q) = (p.hull(), q.hull());
             let gap = Gap::new(&of_p, &of_q)?;
             let residual = |field: &[Integer; 3], scale: &crate::check::chain::Scale| {
                 let mut value = None;
                 gap.all_differences(|x, unit| {
-                    value = Some(Rational::new(exact_dot(x, field)?, unit * gap.common.value() * scale.value()));
+                    value = Some(Rational::new(
+                        exact_dot(x, field)?,
+                        unit * gap.common.value() * scale.value(),
+                    ));
                     Some(true)
                 })?;
                 value
@@ -183,11 +247,19 @@ impl Bounds<'_> {
             let g = residual(&q.field, &q.field_scale)?;
             // The residuals may be far below the least float: they are divided exactly and multiplied by a float's exact value.
             let combination = |x: f64, y: f64| Some(Rational::from_f64(x)? * &f + Rational::from_f64(y)? * &g);
-            let ds = combination(jacobian[1][1] * ds_scale / determinant, -jacobian[0][1] * dt_scale / determinant)?;
-            let dt = combination(-jacobian[1][0] * ds_scale / determinant, jacobian[0][0] * dt_scale / determinant)?;
+            let ds = combination(
+                jacobian[1][1] * ds_scale / determinant,
+                -jacobian[0][1] * dt_scale / determinant,
+            )?;
+            let dt = combination(
+                -jacobian[1][0] * ds_scale / determinant,
+                jacobian[0][0] * dt_scale / determinant,
+            )?;
             s = rounded(&(&s - &ds), bits + 8);
             t = rounded(&(&t - &dt), bits + 8);
-            let small = |d: &Rational| d.numer().is_zero() || d.numer().bits() as i64 - (d.denom().bits() as i64) < -i64::from(bits) - 2;
+            let small = |d: &Rational| {
+                d.numer().is_zero() || d.numer().bits() as i64 - (d.denom().bits() as i64) < -i64::from(bits) - 2
+            };
             if small(&ds) && small(&dt) {
                 return Some((s, t));
             }
@@ -203,12 +275,21 @@ impl Bounds<'_> {
         }
         // c' = D/w², with the weight in the floats' own scale of homogeneous coordinates; compare lengths instead.
         let [_, derivative, _] = self.floats.evaluate(location.0, location.1);
-        let Some(here) = Rational::from_f64(location.1)
-            .and_then(|local| point::<Integer>(self.chain, &crate::check::section::Location { piece: location.0, local }))
-        else {
+        let Some(here) = Rational::from_f64(location.1).and_then(|local| {
+            point::<Integer>(
+                self.chain,
+                &crate::check::section::Location {
+                    piece: location.0,
+                    local,
+                },
+            )
+        }) else {
             return 1.0;
         };
-        let field = here.field.each_ref().map(|x| super::float_chain::quotient(x, here.field_scale.doubled(0)));
+        let field = here
+            .field
+            .each_ref()
+            .map(|x| super::float_chain::quotient(x, here.field_scale.doubled(0)));
         let length = (field[0] * field[0] + field[1] * field[1] + field[2] * field[2]).sqrt();
         dot(&derivative, &derivative).sqrt() / length
     }
@@ -221,11 +302,22 @@ impl Bounds<'_> {
         let speed = dot(&p1, &p1).max(dot(&q1, &q1)).sqrt();
         let length = candidate.squared.sqrt();
         let width = relative_width.to_f64();
-        let bits = (speed / (length * (0.02 * width).sqrt())).log2().ceil().clamp(8.0, 100.0) as u32;
+        let bits = (speed / (length * (0.02 * width).sqrt()))
+            .log2()
+            .ceil()
+            .clamp(8.0, 100.0) as u32;
         // Floats settle a well-conditioned root to about 2^-45.
         let start = (rounded(&s, bits + 8), rounded(&t, bits + 8));
-        let at = if s <= t { [s.clone(), t.clone()] } else { [t.clone(), s.clone()] };
-        let quick = if bits <= 36 { self.miranda_near(start, bits, relative_width) } else { None };
+        let at = if s <= t {
+            [s.clone(), t.clone()]
+        } else {
+            [t.clone(), s.clone()]
+        };
+        let quick = if bits <= 36 {
+            self.miranda_near(start, bits, relative_width)
+        } else {
+            None
+        };
         match quick {
             // Floats are nearer to the root than the middle of the box is.
             Some(found) => Some(UpperBound { at, ..found }),
@@ -247,24 +339,57 @@ impl Bounds<'_> {
         };
         let first = row(jacobian[1][1], -jacobian[0][1]);
         let second = row(-jacobian[1][0], jacobian[0][0]);
-        let tight = Rational::from_integer(1.into()) + relative_width * Rational::new(3.into(), 10.into());
-        let aim = self.chord_squared(s, t)? * &tight;
+        let one = Rational::from_integer(1.into());
+        let tight = &one + relative_width * Rational::new(3.into(), 10.into());
+        let grown = &one + relative_width * Rational::new(1.into(), 20.into());
+        let width = relative_width.to_f64();
+        // Floats tell the length to 10⁻¹⁵.
+        let quick_aim = (width > 1e-13).then(|| self.float_chord_squared(s, t) * (1.0 + 0.3 * width));
+        let aim = if quick_aim.is_none() {
+            Some(raw_product(&[&self.chord_squared(s, t)?, &tight]))
+        } else {
+            None
+        };
+        let within = |reach: &Rational| match (quick_aim, &aim) {
+            (Some(aim), _) => reach.to_f64() <= aim,
+            (None, Some(aim)) => reach.numer() * aim.denom() <= aim.numer() * reach.denom(),
+            (None, None) => false,
+        };
         for extra in (0..=12).step_by(2) {
             let bits = bits + extra;
             let interval = |x: &Rational| {
                 let (middle, step) = (rounded(x, bits), power_of_two(bits));
-                Interval { start: &middle - &step, end: middle + step }
+                Interval {
+                    start: &middle - &step,
+                    end: middle + step,
+                }
             };
             let (s, t) = (interval(s), interval(t));
-            let Some(reach) = self.greatest_distance(&s, &t).filter(|reach| *reach <= aim) else { continue };
-            let squared = few_bits_between(&reach, &(&reach * (Rational::from_integer(1.into()) + relative_width * Rational::new(1.into(), 20.into()))));
+            let Some(reach) = self.greatest_distance(&s, &t).filter(within) else {
+                continue;
+            };
+            let squared = few_bits_between(&reach, &raw_product(&[&reach, &grown]), 0.05 * width);
             for subdivisions in [1, 2, 4, 8, 16, 32] {
                 let regular = [self.direction(&s), self.direction(&t)];
-                let witness = miranda::Witness { s: &s, t: &t, first: &first, second: &second, regular: &regular, subdivisions };
+                let witness = miranda::Witness {
+                    s: &s,
+                    t: &t,
+                    first: &first,
+                    second: &second,
+                    regular: &regular,
+                    subdivisions,
+                };
                 let outcome = widening!(128, W => miranda::check::<W>(self.chain, &witness, &squared));
                 if outcome.is_ok() {
                     let at = [near_s.clone(), near_t.clone()];
-                    let rule = Upper::Miranda { s, t, first, second, regular, subdivisions };
+                    let rule = Upper::Miranda {
+                        s,
+                        t,
+                        first,
+                        second,
+                        regular,
+                        subdivisions,
+                    };
                     return Some(UpperBound { rule, squared, at });
                 }
                 // Only the signs on the faces gain from smaller sub-sections.
@@ -276,13 +401,23 @@ impl Bounds<'_> {
         None
     }
 
+    fn float_chord_squared(&self, s: &Rational, t: &Rational) -> f64 {
+        let (s, t) = (self.local(s), self.local(t));
+        let x = sub(&self.floats.evaluate(s.0, s.1)[0], &self.floats.evaluate(t.0, t.1)[0]);
+        dot(&x, &x)
+    }
+
     fn chord_squared(&self, s: &Rational, t: &Rational) -> Option<Rational> {
         let (x, unit) = root::chord(self.chain, (s, self.any_side(s)), (t, self.any_side(t)))?;
         Some(Rational::new(root::product(&x, &x), &unit * &unit))
     }
 
     fn any_side(&self, s: &Rational) -> Side {
-        if locate(self.chain, s, Side::After).is_some() { Side::After } else { Side::Before }
+        if locate(self.chain, s, Side::After).is_some() {
+            Side::After
+        } else {
+            Side::Before
+        }
     }
 
     /// An integer vector along the tangent in the middle of an interval.
@@ -320,20 +455,40 @@ impl Bounds<'_> {
             let [_, derivative, _] = self.floats.evaluate(foot.0, foot.1);
             let ratio = dot(&derivative, &derivative).sqrt() / candidate.squared.sqrt();
             // Along the tangent the distance grows with the square of the step.
-            let bits = (ratio / (0.02 * relative_width.to_f64()).sqrt()).log2().ceil().clamp(8.0, 100.0) as u32;
+            let bits = (ratio / (0.02 * relative_width.to_f64()).sqrt())
+                .log2()
+                .ceil()
+                .clamp(8.0, 100.0) as u32;
             let t = self.refined_foot(&s, t, bits + 16)?;
             for extra in (0..=12).step_by(2) {
                 let (middle, step) = (rounded(&t, bits + extra), power_of_two(bits + extra));
-                let interval = Interval { start: &middle - &step, end: middle + step };
-                let Some((pieces, _)) = sections(self.chain, &interval) else { continue };
+                let interval = Interval {
+                    start: &middle - &step,
+                    end: middle + step,
+                };
+                let Some((pieces, _)) = sections(self.chain, &interval) else {
+                    continue;
+                };
                 let regular = self.direction(&interval);
-                let Some(reach) = self.reach_from(&s, &pieces) else { continue };
-                let grown = &reach * (Rational::from_integer(1.into()) + relative_width * Rational::new(1.into(), 20.into()));
-                let squared = few_bits_between(&reach, &grown);
-                let outcome = widening!(64, W => critical::check_interval::<W>(self.chain, &s, &interval, &regular, &squared));
+                let Some(reach) = self.reach_from(&s, &pieces) else {
+                    continue;
+                };
+                let grown =
+                    &reach * (Rational::from_integer(1.into()) + relative_width * Rational::new(1.into(), 20.into()));
+                let squared = few_bits_between(&reach, &grown, 0.05 * relative_width.to_f64());
+                let outcome =
+                    widening!(64, W => critical::check_interval::<W>(self.chain, &s, &interval, &regular, &squared));
                 if outcome.is_ok() {
                     let at = [s.clone(), (&interval.start + &interval.end) / integer(2)];
-                    return Some(UpperBound { rule: Upper::CriticalInterval { s, t: interval, regular }, squared, at });
+                    return Some(UpperBound {
+                        rule: Upper::CriticalInterval {
+                            s,
+                            t: interval,
+                            regular,
+                        },
+                        squared,
+                        at,
+                    });
                 }
             }
         }
@@ -345,7 +500,10 @@ impl Bounds<'_> {
         let mut t = t;
         let at = self.local(&t);
         let corner = self.local(s);
-        let ([p, ..], [q, q1, q2]) = (self.floats.evaluate(corner.0, corner.1), self.floats.evaluate(at.0, at.1));
+        let ([p, ..], [q, q1, q2]) = (
+            self.floats.evaluate(corner.0, corner.1),
+            self.floats.evaluate(at.0, at.1),
+        );
         let slope = (dot(&q1, &q1) + dot(&sub(&q, &p), &q2)) / self.field_scale(at);
         for _ in 0..8 {
             let (x, unit) = root::chord(self.chain, (&t, self.any_side(&t)), (s, self.any_side(s)))?;
@@ -353,7 +511,9 @@ impl Bounds<'_> {
             let residual = Rational::new(root::product(&x, &here.field), unit * here.field_scale.value());
             let step = residual * Rational::from_f64(1.0 / slope)?;
             t = rounded(&(&t - &step), bits + 8);
-            if step.numer().is_zero() || (step.numer().bits() as i64 - step.denom().bits() as i64) < -i64::from(bits) - 2 {
+            if step.numer().is_zero()
+                || (step.numer().bits() as i64 - step.denom().bits() as i64) < -i64::from(bits) - 2
+            {
                 return Some(t);
             }
         }
@@ -391,11 +551,18 @@ impl Bounds<'_> {
         };
         let (first, second) = (turn(&q1, &p1), scale(&turn(&p1, &q1), -1.0));
         let (s, t) = (self.global(s)?, self.global(t)?);
-        let (s, t, first, second) = if s <= t { (s, t, first, second) } else { (t, s, scale(&second, -1.0), scale(&first, -1.0)) };
+        let (s, t, first, second) = if s <= t {
+            (s, t, first, second)
+        } else {
+            (t, s, scale(&second, -1.0), scale(&first, -1.0))
+        };
         for bits in [36u32, 28, 20, 12] {
             let interval = |x: &Rational| {
                 let (middle, step) = (rounded(x, bits), power_of_two(bits));
-                Interval { start: &middle - &step, end: middle + step }
+                Interval {
+                    start: &middle - &step,
+                    end: middle + step,
+                }
             };
             let (s, t) = (interval(&s), interval(&t));
             let (first, second) = (quantised(&first, 10), quantised(&second, 10));
@@ -405,7 +572,11 @@ impl Bounds<'_> {
             if outcome.is_ok() {
                 let at = [(&s.start + &s.end) / integer(2), (&t.start + &t.end) / integer(2)];
                 let rule = Upper::Crossing { s, t, first, second };
-                return Some(UpperBound { rule, squared: integer(0), at });
+                return Some(UpperBound {
+                    rule,
+                    squared: integer(0),
+                    at,
+                });
             }
         }
         None
@@ -453,8 +624,13 @@ fn farther<W: Word>(most: Option<Rational>, a: &Hull<'_, W>, b: &Hull<'_, W>) ->
     let mut keep = |best: Option<(W, W)>| {
         if let Some((square, unit)) = best {
             let unit = unit.to_integer() * &common;
-            let square = Rational::new(square.to_integer(), &unit * &unit);
-            all = Some(all.take().map_or(square.clone(), |all| all.max(square)));
+            let square = Rational::new_raw(square.to_integer(), &unit * &unit);
+            let greater = all
+                .as_ref()
+                .is_none_or(|all| square.numer() * all.denom() > all.numer() * square.denom());
+            if greater {
+                all = Some(square);
+            }
         }
     };
     gap.all_differences(|x, unit| {

@@ -39,10 +39,7 @@ fn failures_leave_the_older_file() {
 fn a_certificate_is_as_readable_as_any_new_file() {
     use std::os::unix::fs::{MetadataExt, symlink};
     let directory = TempDir::new().expect("a directory");
-    let (plain, path) = (
-        directory.path().join("plain"),
-        directory.path().join("msd.cert.json"),
-    );
+    let (plain, path) = (directory.path().join("plain"), directory.path().join("msd.cert.json"));
     fs::write(&plain, "").expect("a file");
     run(["certify", "msd", MP06, "-o", text(&path)]).expect(0);
     let mode = |path| fs::metadata(path).expect("a file").mode();
@@ -67,26 +64,14 @@ fn an_interrupted_run_leaves_nothing_that_looks_whole() {
     fs::write(&path, "older").expect("a file");
     let script = "ulimit -c 0; ulimit -f 1; exec \"$0\" certify msd \"$1\" -o \"$2\"";
     let status = std::process::Command::new("sh")
-        .args([
-            "-c",
-            script,
-            text(program().get_program().as_ref()),
-            MP06,
-            text(&path),
-        ])
+        .args(["-c", script, text(program().get_program().as_ref()), MP06, text(&path)])
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .status()
         .expect("a shell");
     assert!(!status.success());
     assert_eq!(fs::read(&path).expect("the older file"), b"older");
-    for name in names(directory.path())
-        .iter()
-        .filter(|name| *name != "msd.cert.json")
-    {
-        assert!(
-            name.starts_with(".knotproof-") && name.ends_with(".partial"),
-            "{name}"
-        );
+    for name in names(directory.path()).iter().filter(|name| *name != "msd.cert.json") {
+        assert!(name.starts_with(".knotproof-") && name.ends_with(".partial"), "{name}");
         run(["check", text(&directory.path().join(name))]).expect(1);
     }
 }
@@ -104,8 +89,5 @@ fn a_full_standard_output_is_told() {
         .output()
         .expect("the program runs");
     assert_eq!(output.status.code(), Some(2));
-    assert!(
-        String::from_utf8_lossy(&output.stderr)
-            .starts_with("error: standard output: cannot be written")
-    );
+    assert!(String::from_utf8_lossy(&output.stderr).starts_with("error: standard output: cannot be written"));
 }

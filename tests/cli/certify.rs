@@ -30,16 +30,13 @@ fn msd(curve: &str, options: &[&str]) -> Run {
 }
 
 fn msd_json(curve: &str, options: &[&str]) -> Value {
-    msd(curve, &[options, &["--json"]].concat())
-        .expect(0)
-        .json()
+    msd(curve, &[options, &["--json"]].concat()).expect(0).json()
 }
 
 /// The interval is in order, its decimals are outside of it, and it is as narrow as `width`.
 #[track_caller]
 fn assert_interval(json: &Value, width: &str) {
-    let [lower_squared, upper_squared] =
-        ["lower_squared", "upper_squared"].map(|field| number_at(json, field));
+    let [lower_squared, upper_squared] = ["lower_squared", "upper_squared"].map(|field| number_at(json, field));
     let [lower, upper] = ["lower", "upper"].map(|field| number_at(json, field));
     assert!(
         &lower * &lower <= lower_squared && lower_squared <= upper_squared,
@@ -51,8 +48,7 @@ fn assert_interval(json: &Value, width: &str) {
     assert!(&upper_squared * &least * &least <= lower_squared, "{json}");
     let told = number_at(json, "relative_width");
     assert!(
-        told <= number(width)
-            && (&one - &told) * &upper <= number_at(json, "lower") * number("1.0001"),
+        told <= number(width) && (&one - &told) * &upper <= number_at(json, "lower") * number("1.0001"),
         "{json}"
     );
 }
@@ -64,14 +60,8 @@ fn the_interval_of_the_published_curve_at_every_width() {
     for width in ["1e-1", "1/1000", "1e-12", "1e-16", "1e-30"] {
         let json = msd_json(MP06, &["--rel-width", width]);
         assert_interval(&json, width);
-        assert!(
-            number_at(&json, "lower_squared") <= &above * &above,
-            "{width}: {json}"
-        );
-        assert!(
-            number_at(&json, "upper_squared") >= &below * &below,
-            "{width}: {json}"
-        );
+        assert!(number_at(&json, "lower_squared") <= &above * &above, "{width}: {json}");
+        assert!(number_at(&json, "upper_squared") >= &below * &below, "{width}: {json}");
         assert!(
             number_at(&json, "lower") <= above && number_at(&json, "upper") >= below,
             "{width}: {json}"
@@ -108,10 +98,7 @@ fn the_object_of_json() {
         assert!(object.contains_key(field), "no {field} in {json}");
     }
     assert_eq!(object.len(), fields.len(), "{json}");
-    assert_eq!(
-        (&json["status"], &json["claim"]),
-        (&"certified".into(), &"msd".into())
-    );
+    assert_eq!((&json["status"], &json["claim"]), (&"certified".into(), &"msd".into()));
     assert_eq!(
         (&json["convention"], &json["relative_width_asked"]),
         (&"smooth".into(), &"1e-12".into())
@@ -120,16 +107,8 @@ fn the_object_of_json() {
         (&json["upper_rule"], &json["snapped_joints"]),
         (&"miranda".into(), &0.into())
     );
-    assert!(
-        json["leaves"].as_u64().is_some_and(|leaves| leaves > 10),
-        "{json}"
-    );
-    assert!(
-        json["seconds"]
-            .as_f64()
-            .is_some_and(|seconds| seconds > 0.0),
-        "{json}"
-    );
+    assert!(json["leaves"].as_u64().is_some_and(|leaves| leaves > 10), "{json}");
+    assert!(json["seconds"].as_f64().is_some_and(|seconds| seconds > 0.0), "{json}");
     assert_eq!(json["certificate"], text(&path));
     assert_eq!(msd_json(MP06, &[])["certificate"], Value::Null);
     // The five pieces lie on the knots 0, 1/5, … 1.
@@ -139,14 +118,9 @@ fn the_object_of_json() {
     for (knot, place) in at.iter().zip(pieces) {
         let piece = Rational::from_integer(place["piece"].as_u64().expect("a piece").into());
         let local = number_at(place, "local");
-        assert_eq!(
-            number(knot.as_str().expect("a text")),
-            (piece + local) / number("5")
-        );
+        assert_eq!(number(knot.as_str().expect("a text")), (piece + local) / number("5"));
     }
-    let near = |knot: &Value, value: f64| {
-        (number(knot.as_str().expect("a text")).to_f64() - value).abs() < 1e-6
-    };
+    let near = |knot: &Value, value: f64| (number(knot.as_str().expect("a text")).to_f64() - value).abs() < 1e-6;
     assert!(near(&at[0], 0.0954737) && near(&at[1], 0.5569022), "{json}");
 }
 
@@ -162,10 +136,7 @@ fn the_result_in_words() {
         "{run:?}"
     );
     assert!(lines[0].ends_with("(smooth convention)"), "{run:?}");
-    assert!(
-        lines[1].starts_with("  σ between 0.442675170376"),
-        "{run:?}"
-    );
+    assert!(lines[1].starts_with("  σ between 0.442675170376"), "{run:?}");
     for part in [
         "where: knot values 0.09547",
         "piece 0 at 0.47736",
@@ -179,12 +150,7 @@ fn the_result_in_words() {
     ] {
         assert!(run.out.contains(part), "{part:?} is not in {run:?}");
     }
-    assert!(
-        msd(MP06, &[])
-            .expect(0)
-            .out
-            .contains("not kept; -o CERT writes it")
-    );
+    assert!(msd(MP06, &[]).expect(0).out.contains("not kept; -o CERT writes it"));
     assert_eq!(msd(MP06, &["--quiet"]).expect(0).out, "");
     assert_eq!(
         msd(MP06, &["--quiet", "--json"]).expect(0).json()["status"],
@@ -196,10 +162,7 @@ fn the_result_in_words() {
 fn curves_without_double_normals() {
     for curve in ["certs/curves/segment.json", "certs/curves/parabola.json"] {
         let json = msd_json(curve, &[]);
-        assert_eq!(
-            (&json["lower_squared"], &json["lower"]),
-            (&"inf".into(), &"inf".into())
-        );
+        assert_eq!((&json["lower_squared"], &json["lower"]), (&"inf".into(), &"inf".into()));
         for field in [
             "upper_squared",
             "upper",
@@ -210,26 +173,19 @@ fn curves_without_double_normals() {
         ] {
             assert_eq!(json[field], Value::Null, "{field}");
         }
-        assert!(
-            msd(curve, &[])
-                .expect(0)
-                .out
-                .contains("there is no double normal")
-        );
+        assert!(msd(curve, &[]).expect(0).out.contains("there is no double normal"));
     }
 }
 
 #[test]
 fn a_curve_that_crosses_itself() {
     let json = msd_json("certs/curves/figure-eight.json", &[]);
-    let bounds =
-        ["lower_squared", "upper_squared", "lower", "upper"].map(|field| json[field].as_str());
+    let bounds = ["lower_squared", "upper_squared", "lower", "upper"].map(|field| json[field].as_str());
     assert_eq!(bounds, [Some("0"); 4]);
     assert_eq!(json["at"], serde_json::json!(["1/2", "5/2"]));
     let run = msd("certs/curves/figure-eight.json", &[]).expect(0);
     assert!(
-        run.out
-            .contains("σ is 0, the curve passes twice through a point"),
+        run.out.contains("σ is 0, the curve passes twice through a point"),
         "{run:?}"
     );
     assert!(run.out.contains("where: parameters 0.5 and 2.5"), "{run:?}");
@@ -240,10 +196,7 @@ fn both_conventions() {
     let square = "certs/curves/square.json";
     let smooth = msd_json(square, &["--convention", "smooth"]);
     let critical = msd_json(square, &["--convention", "critical"]);
-    assert_eq!(
-        (&smooth["upper_rule"], &smooth["upper"]),
-        (&"root".into(), &"1".into())
-    );
+    assert_eq!((&smooth["upper_rule"], &smooth["upper"]), (&"root".into(), &"1".into()));
     assert_eq!(
         (&critical["upper_rule"], &critical["convention"]),
         (&"critical_root".into(), &"critical".into())
@@ -308,15 +261,10 @@ fn the_checker_accepts_what_was_written_in_both_forms() {
         )
     });
     assert!(
-        statements
-            .iter()
-            .all(|statement| *statement == statements[0]),
+        statements.iter().all(|statement| *statement == statements[0]),
         "{statements:?}"
     );
-    assert_eq!(
-        msd_json(MP06, &[])["lower_squared"],
-        statements[0].0["lower_squared"]
-    );
+    assert_eq!(msd_json(MP06, &[])["lower_squared"], statements[0].0["lower_squared"]);
     // A binary certificate that lacks its last byte, or has one more.
     let whole = fs::read(path("a.bin")).expect("a certificate");
     run_with_input(["check", "-"], &whole[..whole.len() - 1]).expect(1);
@@ -343,22 +291,15 @@ fn a_curve_on_standard_input() {
         .json();
     assert_eq!(json["lower_squared"], msd_json(MP06, &[])["lower_squared"]);
     // A curve without a name is called by its file.
-    let nameless =
-        r#"{ "knotproof": "curve/1", "bezier": { "pieces": [ { "points": [[0, 0], [1, 0]] } ] } }"#;
+    let nameless = r#"{ "knotproof": "curve/1", "bezier": { "pieces": [ { "points": [[0, 0], [1, 0]] } ] } }"#;
     let run = run_with_input(["certify", "msd", "-"], nameless.as_bytes()).expect(0);
-    assert!(
-        run.out.contains("σ of standard input (smooth convention)"),
-        "{run:?}"
-    );
+    assert!(run.out.contains("σ of standard input (smooth convention)"), "{run:?}");
 }
 
 #[test]
 fn joints_that_do_not_meet() {
     let directory = TempDir::new().expect("a directory");
-    let (curve, certificate) = (
-        directory.path().join("curve.json"),
-        directory.path().join("cert.json"),
-    );
+    let (curve, certificate) = (directory.path().join("curve.json"), directory.path().join("cert.json"));
     let gap = r#"{ "knotproof": "curve/1", "bezier": { "pieces": [
         { "points": [["0", "0"], ["1", "0"]] }, { "points": [["1", "1e-9"], ["2", "1"]] } ] } }"#;
     fs::write(&curve, gap).expect("a file");
@@ -373,8 +314,7 @@ fn joints_that_do_not_meet() {
         msd_json(curve, &["--snap-joints", "-o", certificate])["snapped_joints"],
         1
     );
-    let written: Value =
-        serde_json::from_slice(&fs::read(certificate).expect("a certificate")).expect("JSON");
+    let written: Value = serde_json::from_slice(&fs::read(certificate).expect("a certificate")).expect("JSON");
     assert_eq!(written["snapped_joints"], 1);
     run(["check", certificate, "--curve", curve]).expect_error(&["bezier.pieces[1].points[0]"]);
     run(["check", certificate, "--curve", curve, "--snap-joints"]).expect(0);

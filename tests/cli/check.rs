@@ -36,11 +36,7 @@ fn directory() -> (TempDir, PathBuf) {
 /// The verdict on an edited certificate.
 #[track_caller]
 fn reject(from: &str, to: &str, parts: &[&str]) {
-    assert_eq!(
-        SQUARE.matches(from).count(),
-        1,
-        "{from:?} is not there once"
-    );
+    assert_eq!(SQUARE.matches(from).count(), 1, "{from:?} is not there once");
     let run = run_with_input(["check", "-"], SQUARE.replace(from, to).as_bytes()).expect(1);
     assert!(run.out.starts_with("rejected: standard input: "), "{run:?}");
     for part in parts {
@@ -96,18 +92,10 @@ fn edited_certificates_are_rejected() {
     );
     reject("\"smooth\"", "\"critical\"", &["tree"]);
     reject("\"smooth\"", "\"rough\"", &["convention"]);
-    reject(
-        "far 0 -1",
-        "far 0 1",
-        &["tree, token 7", "far", "expected", "found"],
-    );
+    reject("far 0 -1", "far 0 1", &["tree, token 7", "far", "expected", "found"]);
     reject("far 0 -1", "near 0 1", &["tree", "near 0 1"]);
     reject(", \"cone 0 -3\"]", "]", &["tree", "end before"]);
-    reject(
-        "\"cone 0 -3\"]",
-        "\"cone 0 -3\", \"split\"]",
-        &["left over"],
-    );
+    reject("\"cone 0 -3\"]", "\"cone 0 -3\", \"split\"]", &["left over"]);
     reject("[\"1\", \"1\"]", "[\"1\", \"2\"]", &["curve_sha256"]);
     reject("certificate/1", "certificate/2", &["certificate/2"]);
     reject("\"tool\"", "\"fool\"", &["fool"]);
@@ -138,8 +126,7 @@ fn other_bytes_are_rejected() {
     }
     let run = run(["check", SQUARE_CURVE]).expect(1);
     assert!(
-        run.out
-            .contains("found a curve file, expected a certificate"),
+        run.out.contains("found a curve file, expected a certificate"),
         "{run:?}"
     );
 }
@@ -159,9 +146,7 @@ fn a_rejection_in_json() {
         "{json}"
     );
     assert!(
-        json["reason"]
-            .as_str()
-            .is_some_and(|reason| reason.contains("far")),
+        json["reason"].as_str().is_some_and(|reason| reason.contains("far")),
         "{json}"
     );
     assert!(
@@ -231,9 +216,7 @@ fn quiet_leaves_the_exit_code() {
     assert_eq!(run(["check", "--quiet", text(&path)]).expect(0).out, "");
     assert_eq!(run(["check", "-q", SQUARE_CURVE]).expect(1).out, "");
     assert_eq!(
-        run(["check", "--quiet", "--json", text(&path)])
-            .expect(0)
-            .json()["verdict"],
+        run(["check", "--quiet", "--json", text(&path)]).expect(0).json()["verdict"],
         "accepted"
     );
 }
@@ -251,15 +234,9 @@ fn the_curve_asked_for_and_no_other() {
     ] {
         assert!(other.out.contains(part), "{part:?} is not in {other:?}");
     }
-    let json = run([
-        "check",
-        path,
-        "--json",
-        "--curve",
-        "certs/curves/triangle.json",
-    ])
-    .expect(1)
-    .json();
+    let json = run(["check", path, "--json", "--curve", "certs/curves/triangle.json"])
+        .expect(1)
+        .json();
     assert_eq!(
         (&json["verdict"], &json["place"]),
         (&"rejected".into(), &"curve".into())
@@ -267,11 +244,7 @@ fn the_curve_asked_for_and_no_other() {
     // The same points, closed by another knot vector, are another curve.
     let stretched = directory.path().join("stretched.json");
     let curve = fs::read_to_string(SQUARE_CURVE).expect("the square");
-    fs::write(
-        &stretched,
-        curve.replace("\"4\"", "\"5\"").replace("4, 4", "5, 5"),
-    )
-    .expect("a file");
+    fs::write(&stretched, curve.replace("\"4\"", "\"5\"").replace("4, 4", "5, 5")).expect("a file");
     assert_ne!(fs::read_to_string(&stretched).expect("a file"), curve);
     run(["check", path, "--curve", text(&stretched)]).expect(1);
     run(["check", path, "--curve", "absent.json"]).expect_error(&["absent.json: cannot be read"]);

@@ -22,12 +22,7 @@ fn version_is_the_package_version() {
 
 #[test]
 fn nothing_to_do_is_wrong_usage() {
-    for arguments in [
-        &[][..],
-        &["nonsense"],
-        &["check"],
-        &["check", "--nonsense", "x"],
-    ] {
+    for arguments in [&[][..], &["nonsense"], &["check"], &["check", "--nonsense", "x"]] {
         let run = run(arguments);
         assert_eq!((run.code, run.out.as_str()), (2, ""), "{run:?}");
         assert!(run.err.contains("Usage: knotproof"), "{run:?}");
@@ -64,6 +59,5 @@ fn the_checker_alone_says_so() {
     let help = run(["--help"]).expect(0).out;
     assert!(help.contains("checker alone"), "{help}");
     assert!(!help.contains("certify"), "{help}");
-    run(["certify", "msd", "certs/curves/square.json"])
-        .expect_error(&["unrecognized subcommand 'certify'"]);
+    run(["certify", "msd", "certs/curves/square.json"]).expect_error(&["unrecognized subcommand 'certify'"]);
 }

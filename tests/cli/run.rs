@@ -69,10 +69,7 @@ pub fn run<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> Run {
 }
 
 /// Runs the program with something on standard input.
-pub fn run_with_input<S: AsRef<OsStr>>(
-    arguments: impl IntoIterator<Item = S>,
-    input: &[u8],
-) -> Run {
+pub fn run_with_input<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>, input: &[u8]) -> Run {
     let mut child = program()
         .args(arguments)
         .stdin(Stdio::piped())

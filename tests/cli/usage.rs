@@ -72,7 +72,10 @@ fn curve_files_that_are_none() {
         (b"{ \"knotproof\": \"curve/1\", ", "JSON"),
         (b"\xff", "UTF-8"),
         (br#"{ "knotproof": "curve/9" }"#, "expected \"curve/1\""),
-        (br#"{ "knotproof": "certificate/1" }"#, "found version \"certificate/1\""),
+        (
+            br#"{ "knotproof": "certificate/1" }"#,
+            "found version \"certificate/1\"",
+        ),
         (br#"{ "knotproof": "curve/1", "colour": 3 }"#, "colour"),
         (
             br#"{ "knotproof": "curve/1", "bezier": { "pieces": [ { "points": [[0, 0], [1, "one"]] } ] } }"#,
@@ -93,28 +96,15 @@ fn places_that_take_no_certificate() {
         &[SQUARE, "-o", text(&absent)],
         &[text(&absent), "there is no directory"],
     );
-    refuse(
-        &[SQUARE, "-o", text(directory.path())],
-        &["not a regular file"],
-    );
+    refuse(&[SQUARE, "-o", text(directory.path())], &["not a regular file"]);
     refuse(&[SQUARE, "-o", ".."], &["not a regular file"]);
     refuse(&[SQUARE, "-o", "-"], &["-o", "name a file"]);
     #[cfg(unix)]
-    refuse(
-        &[SQUARE, "-o", "/dev/null"],
-        &["/dev/null", "not a regular file"],
-    );
+    refuse(&[SQUARE, "-o", "/dev/null"], &["/dev/null", "not a regular file"]);
     let curve = directory.path().join("curve.json");
-    fs::copy(
-        concat!(env!("CARGO_MANIFEST_DIR"), "/certs/curves/square.json"),
-        &curve,
-    )
-    .expect("a copy");
+    fs::copy(concat!(env!("CARGO_MANIFEST_DIR"), "/certs/curves/square.json"), &curve).expect("a copy");
     let before = fs::read(&curve).expect("the curve");
-    refuse(
-        &[text(&curve), "-o", text(&curve)],
-        &["would replace the curve file"],
-    );
+    refuse(&[text(&curve), "-o", text(&curve)], &["would replace the curve file"]);
     let roundabout = directory.path().join(".").join("curve.json");
     refuse(
         &[text(&curve), "-o", text(&roundabout)],

@@ -43,10 +43,7 @@ pub fn unit() -> impl Strategy<Value = Rational> {
         .prop_map(|(n, d)| fraction(n, d))
 }
 
-fn control(
-    dimension: usize,
-    count: usize,
-) -> impl Strategy<Value = (RationalVector, Option<RationalVector>)> {
+fn control(dimension: usize, count: usize) -> impl Strategy<Value = (RationalVector, Option<RationalVector>)> {
     (
         vec(coordinate(), dimension * count),
         proptest::option::of(vec(weight(), count)),

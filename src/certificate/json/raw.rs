@@ -52,7 +52,11 @@ pub struct InBlock;
 impl<'de> Deserialize<'de> for InBlock {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = Text::deserialize(deserializer)?;
-        if text.0 == "binary" { Ok(InBlock) } else { Err(de::Error::custom("expected \"binary\"")) }
+        if text.0 == "binary" {
+            Ok(InBlock)
+        } else {
+            Err(de::Error::custom("expected \"binary\""))
+        }
     }
 }
 
@@ -217,7 +221,14 @@ impl RawUpper<'_> {
             texts.into_iter().map(one).collect()
         }
         match self {
-            RawUpper::Miranda { s, t, first, second, regular, subdivisions } => RawUpper::Miranda {
+            RawUpper::Miranda {
+                s,
+                t,
+                first,
+                second,
+                regular,
+                subdivisions,
+            } => RawUpper::Miranda {
                 s: two(s),
                 t: two(t),
                 first: two(first),
@@ -225,17 +236,25 @@ impl RawUpper<'_> {
                 regular: regular.map(many),
                 subdivisions,
             },
-            RawUpper::Root { s, s_side, t, t_side } => {
-                RawUpper::Root { s: one(s), s_side: one(s_side), t: one(t), t_side: one(t_side) }
-            }
+            RawUpper::Root { s, s_side, t, t_side } => RawUpper::Root {
+                s: one(s),
+                s_side: one(s_side),
+                t: one(t),
+                t_side: one(t_side),
+            },
             RawUpper::Touch { s, t } => RawUpper::Touch { s: one(s), t: one(t) },
-            RawUpper::Crossing { s, t, first, second } => {
-                RawUpper::Crossing { s: two(s), t: two(t), first: many(first), second: many(second) }
-            }
+            RawUpper::Crossing { s, t, first, second } => RawUpper::Crossing {
+                s: two(s),
+                t: two(t),
+                first: many(first),
+                second: many(second),
+            },
             RawUpper::CriticalRoot { s, t } => RawUpper::CriticalRoot { s: one(s), t: one(t) },
-            RawUpper::CriticalInterval { s, t, regular } => {
-                RawUpper::CriticalInterval { s: one(s), t: two(t), regular: many(regular) }
-            }
+            RawUpper::CriticalInterval { s, t, regular } => RawUpper::CriticalInterval {
+                s: one(s),
+                t: two(t),
+                regular: many(regular),
+            },
         }
     }
 }

@@ -17,8 +17,12 @@ fn rational(text: &Text, place: &str) -> Parsed<Rational> {
     if text.0.len() > 40_000 {
         return Err(refuse("a number of more than 40,000 characters".into()));
     }
-    let value = Rational::parse_canonical(&text.0)
-        .map_err(|error| refuse(format!("found {:?}, expected a canonical fraction: {error}", shortened(&text.0))))?;
+    let value = Rational::parse_canonical(&text.0).map_err(|error| {
+        refuse(format!(
+            "found {:?}, expected a canonical fraction: {error}",
+            shortened(&text.0)
+        ))
+    })?;
     if value.numer().bits() > MAXIMUM_BITS || value.denom().bits() > MAXIMUM_BITS {
         return Err(refuse(format!("a number of more than {MAXIMUM_BITS} bits")));
     }
@@ -28,7 +32,12 @@ fn rational(text: &Text, place: &str) -> Parsed<Rational> {
 fn integer(text: &Text, place: &str) -> Parsed<Integer> {
     canonical_integer(&text.0)
         .filter(|integer| integer.bits() <= MAXIMUM_BITS)
-        .ok_or_else(|| FormatError::malformed(place, format!("found {:?}, expected a canonical integer", shortened(&text.0))))
+        .ok_or_else(|| {
+            FormatError::malformed(
+                place,
+                format!("found {:?}, expected a canonical integer", shortened(&text.0)),
+            )
+        })
 }
 
 fn shortened(text: &str) -> String {
@@ -36,7 +45,10 @@ fn shortened(text: &str) -> String {
 }
 
 fn interval(texts: &[Text; 2], place: &str) -> Parsed<Interval> {
-    Ok(Interval { start: rational(&texts[0], place)?, end: rational(&texts[1], place)? })
+    Ok(Interval {
+        start: rational(&texts[0], place)?,
+        end: rational(&texts[1], place)?,
+    })
 }
 
 fn factors(texts: &[Text; 2], place: &str) -> Parsed<[Integer; 2]> {
@@ -45,7 +57,10 @@ fn factors(texts: &[Text; 2], place: &str) -> Parsed<[Integer; 2]> {
 
 fn vector(texts: &[Text], dimension: usize, place: &str) -> Parsed<[Integer; 3]> {
     if texts.len() != dimension {
-        return Err(FormatError::malformed(place, format!("found {} integers, expected {dimension}", texts.len())));
+        return Err(FormatError::malformed(
+            place,
+            format!("found {} integers, expected {dimension}", texts.len()),
+        ));
     }
     let mut vector: [Integer; 3] = Default::default();
     for (component, text) in vector.iter_mut().zip(texts) {
@@ -57,7 +72,8 @@ fn vector(texts: &[Text], dimension: usize, place: &str) -> Parsed<[Integer; 3]>
 fn numbers<'t, 'a: 't>(texts: impl Iterator<Item = &'t Text<'a>>, place: &str) -> Parsed<RationalVector> {
     let numbers: Vec<Rational> = texts.map(|text| rational(text, place)).collect::<Parsed<_>>()?;
     let vector = RationalVector::from_rationals_within(&numbers, MAXIMUM_BITS);
-    vector.ok_or_else(|| FormatError::malformed(place, format!("a common denominator of more than {MAXIMUM_BITS} bits")))
+    vector
+        .ok_or_else(|| FormatError::malformed(place, format!("a common denominator of more than {MAXIMUM_BITS} bits")))
 }
 
 fn points(points: &[Vec<Text>], dimension: usize, place: &str) -> Parsed<RationalVector> {
@@ -80,7 +96,10 @@ fn curve(raw: RawCurve) -> Parsed<Curve> {
                 spline.degree,
                 numbers(spline.knots.iter(), "curve.bspline.knots")?,
                 points(&spline.points, dimension, "curve.bspline.points")?,
-                spline.weights.map(|weights| numbers(weights.iter(), "curve.bspline.weights")).transpose()?,
+                spline
+                    .weights
+                    .map(|weights| numbers(weights.iter(), "curve.bspline.weights"))
+                    .transpose()?,
             );
             let data = data.map_err(|error| refuse(place, error))?;
             Curve::new(dimension, Form::BSpline(data)).map_err(|error| refuse(place, error))
@@ -94,7 +113,11 @@ fn curve(raw: RawCurve) -> Parsed<Curve> {
             for (i, Object(piece)) in chain.pieces.iter().enumerate() {
                 let place = format!("curve.bezier.pieces[{i}]");
                 let coordinates = points(&piece.points, dimension, &place)?;
-                let weights = piece.weights.as_ref().map(|weights| numbers(weights.iter(), &place)).transpose()?;
+                let weights = piece
+                    .weights
+                    .as_ref()
+                    .map(|weights| numbers(weights.iter(), &place))
+                    .transpose()?;
                 pieces.push(Bezier::new(dimension, coordinates, weights).map_err(|error| refuse(&place, error))?);
             }
             Curve::new(dimension, Form::Bezier(pieces)).map_err(|error| refuse("curve.bezier", error))
@@ -123,7 +146,10 @@ impl Header {
     pub fn into_document(self, curve: Curve, actual: &[u8; 32]) -> Parsed<Document> {
         let actual = hexadecimal(actual);
         if self.stated_hash != actual {
-            return Err(FormatError::Hash { stated: shortened(&self.stated_hash), actual });
+            return Err(FormatError::Hash {
+                stated: shortened(&self.stated_hash),
+                actual,
+            });
         }
         let upper = (self.upper)(curve.dimension())?;
         Ok(Document {
@@ -166,12 +192,19 @@ fn statement(raw: &RawStatement) -> Parsed<Statement> {
         return Err(FormatError::malformed("statement.claim", what));
     }
     let convention = Convention::from_name(&raw.convention.0).ok_or_else(|| {
-        let what = format!("found {:?}, expected \"smooth\" or \"critical\"", shortened(&raw.convention.0));
+        let what = format!(
+            "found {:?}, expected \"smooth\" or \"critical\"",
+            shortened(&raw.convention.0)
+        );
         FormatError::malformed("statement.convention", what)
     })?;
     let bound = |text: &Text, place: &str| {
         let value = rational(text, place)?;
-        if value.numer().is_negative() { Err(FormatError::malformed(place, "negative")) } else { Ok(value) }
+        if value.numer().is_negative() {
+            Err(FormatError::malformed(place, "negative"))
+        } else {
+            Ok(value)
+        }
     };
     Ok(Statement {
         convention,
@@ -179,7 +212,11 @@ fn statement(raw: &RawStatement) -> Parsed<Statement> {
             "inf" => Lower::Infinite,
             _ => Lower::Finite(bound(&raw.lower_squared, "statement.lower_squared")?),
         },
-        upper_squared: raw.upper_squared.as_ref().map(|text| bound(text, "statement.upper_squared")).transpose()?,
+        upper_squared: raw
+            .upper_squared
+            .as_ref()
+            .map(|text| bound(text, "statement.upper_squared"))
+            .transpose()?,
     })
 }
 
@@ -189,7 +226,14 @@ fn upper(raw: &RawUpper, dimension: usize) -> Parsed<Upper> {
         Side::from_name(&text.0).ok_or_else(|| FormatError::malformed(place, "expected \"before\" or \"after\""))
     };
     Ok(match raw {
-        RawUpper::Miranda { s, t, first, second, regular, subdivisions } => Upper::Miranda {
+        RawUpper::Miranda {
+            s,
+            t,
+            first,
+            second,
+            regular,
+            subdivisions,
+        } => Upper::Miranda {
             s: interval(s, at_s)?,
             t: interval(t, at_t)?,
             first: factors(first, "evidence.upper.first")?,
@@ -204,14 +248,20 @@ fn upper(raw: &RawUpper, dimension: usize) -> Parsed<Upper> {
             s: (rational(s, at_s)?, side(s_side, "evidence.upper.s_side")?),
             t: (rational(t, at_t)?, side(t_side, "evidence.upper.t_side")?),
         },
-        RawUpper::Touch { s, t } => Upper::Touch { s: rational(s, at_s)?, t: rational(t, at_t)? },
+        RawUpper::Touch { s, t } => Upper::Touch {
+            s: rational(s, at_s)?,
+            t: rational(t, at_t)?,
+        },
         RawUpper::Crossing { s, t, first, second } => Upper::Crossing {
             s: interval(s, at_s)?,
             t: interval(t, at_t)?,
             first: vector(first, dimension, "evidence.upper.first")?,
             second: vector(second, dimension, "evidence.upper.second")?,
         },
-        RawUpper::CriticalRoot { s, t } => Upper::CriticalRoot { s: rational(s, at_s)?, t: rational(t, at_t)? },
+        RawUpper::CriticalRoot { s, t } => Upper::CriticalRoot {
+            s: rational(s, at_s)?,
+            t: rational(t, at_t)?,
+        },
         RawUpper::CriticalInterval { s, t, regular } => Upper::CriticalInterval {
             s: rational(s, at_s)?,
             t: interval(t, at_t)?,
@@ -225,9 +275,15 @@ fn parse<'a, T: Deserialize<'a>>(text: &'a [u8]) -> Parsed<T> {
     let value = serde_path_to_error::deserialize(&mut deserializer).map_err(|error| {
         let place = error.path().to_string();
         let error = error.into_inner();
-        if error.is_eof() { FormatError::Truncated } else { FormatError::malformed(place, error.to_string()) }
+        if error.is_eof() {
+            FormatError::Truncated
+        } else {
+            FormatError::malformed(place, error.to_string())
+        }
     })?;
-    deserializer.end().map_err(|error| FormatError::malformed("end of the document", error.to_string()))?;
+    deserializer
+        .end()
+        .map_err(|error| FormatError::malformed("end of the document", error.to_string()))?;
     Ok(value)
 }
 

@@ -15,7 +15,11 @@ pub fn header(document: &Document) -> String {
     preamble(document, &mut text);
     text.push_str("  \"curve\": \"binary\",\n");
     statement_and_evidence(document, &mut text);
-    text.push_str(if document.has_tree { "    \"tree\": \"binary\",\n" } else { "    \"tree\": null,\n" });
+    text.push_str(if document.has_tree {
+        "    \"tree\": \"binary\",\n"
+    } else {
+        "    \"tree\": null,\n"
+    });
     conclusion(document, &mut text);
     text
 }
@@ -35,7 +39,10 @@ pub fn write<R: Read, W: Write>(document: &Document, tree: R, out: &mut W) -> io
         let mut tokens = BinaryTokens::new(tree, dimension);
         text.push_str("    \"tree\": [");
         let mut first = true;
-        while let Some(token) = tokens.next_token().map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))? {
+        while let Some(token) = tokens
+            .next_token()
+            .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?
+        {
             text.push_str(if first { "\n      \"" } else { ",\n      \"" });
             first = false;
             text.push_str(&token_text(&token, dimension));
@@ -72,7 +79,10 @@ fn curve_text(curve: &Curve, out: &mut String) {
     let dimension = curve.dimension();
     match curve.form() {
         Form::BSpline(spline) => {
-            out.push_str(&format!("{{ \"bspline\": {{\n    \"degree\": {},\n    \"knots\": ", spline.degree()));
+            out.push_str(&format!(
+                "{{ \"bspline\": {{\n    \"degree\": {},\n    \"knots\": ",
+                spline.degree()
+            ));
             list(spline.knots(), out);
             out.push_str(",\n    \"points\": ");
             point_list(spline.points(), dimension, out);
@@ -85,7 +95,11 @@ fn curve_text(curve: &Curve, out: &mut String) {
         Form::Bezier(pieces) => {
             out.push_str("{ \"bezier\": { \"pieces\": [");
             for (i, piece) in pieces.iter().enumerate() {
-                out.push_str(if i == 0 { "\n    { \"points\": " } else { ",\n    { \"points\": " });
+                out.push_str(if i == 0 {
+                    "\n    { \"points\": "
+                } else {
+                    ",\n    { \"points\": "
+                });
                 point_list(piece.points(), dimension, out);
                 if let Some(weights) = piece.weights() {
                     out.push_str(", \"weights\": ");
@@ -124,13 +138,22 @@ fn statement_and_evidence(document: &Document, out: &mut String) {
         Lower::Infinite => "inf".to_string(),
         Lower::Finite(value) => value.format(),
     };
-    let upper = statement.upper_squared.as_ref().map_or("null".to_string(), |value| string(&value.format()));
-    out.push_str(&format!("  \"curve_sha256\": \"{}\",\n", hexadecimal(&block::curve_sha256(&document.curve))));
+    let upper = statement
+        .upper_squared
+        .as_ref()
+        .map_or("null".to_string(), |value| string(&value.format()));
+    out.push_str(&format!(
+        "  \"curve_sha256\": \"{}\",\n",
+        hexadecimal(&block::curve_sha256(&document.curve))
+    ));
     out.push_str(&format!(
         "  \"statement\": {{ \"claim\": \"msd\", \"convention\": \"{}\",\n    \"lower_squared\": \"{lower}\",\n    \"upper_squared\": {upper} }},\n",
         statement.convention.name()
     ));
-    out.push_str(&format!("  \"evidence\": {{\n    \"grid\": {},\n", document.evidence.grid));
+    out.push_str(&format!(
+        "  \"evidence\": {{\n    \"grid\": {},\n",
+        document.evidence.grid
+    ));
 }
 
 fn conclusion(document: &Document, out: &mut String) {
@@ -149,7 +172,14 @@ fn upper_text(upper: &Upper, dimension: usize) -> String {
         format!("[{}]", texts.join(", "))
     };
     match upper {
-        Upper::Miranda { s, t, first, second, regular, subdivisions } => format!(
+        Upper::Miranda {
+            s,
+            t,
+            first,
+            second,
+            regular,
+            subdivisions,
+        } => format!(
             "{{ \"rule\": \"miranda\", \"s\": {}, \"t\": {},\n      \"first\": {}, \"second\": {}, \"regular\": [{}, {}], \"subdivisions\": {subdivisions} }}",
             interval(s),
             interval(t),
@@ -165,7 +195,11 @@ fn upper_text(upper: &Upper, dimension: usize) -> String {
             t.0.format(),
             t.1.name()
         ),
-        Upper::Touch { s, t } => format!("{{ \"rule\": \"touch\", \"s\": \"{}\", \"t\": \"{}\" }}", s.format(), t.format()),
+        Upper::Touch { s, t } => format!(
+            "{{ \"rule\": \"touch\", \"s\": \"{}\", \"t\": \"{}\" }}",
+            s.format(),
+            t.format()
+        ),
         Upper::Crossing { s, t, first, second } => format!(
             "{{ \"rule\": \"crossing\", \"s\": {}, \"t\": {}, \"first\": {}, \"second\": {} }}",
             interval(s),
@@ -174,7 +208,11 @@ fn upper_text(upper: &Upper, dimension: usize) -> String {
             integers(&second[..dimension])
         ),
         Upper::CriticalRoot { s, t } => {
-            format!("{{ \"rule\": \"critical_root\", \"s\": \"{}\", \"t\": \"{}\" }}", s.format(), t.format())
+            format!(
+                "{{ \"rule\": \"critical_root\", \"s\": \"{}\", \"t\": \"{}\" }}",
+                s.format(),
+                t.format()
+            )
         }
         Upper::CriticalInterval { s, t, regular } => format!(
             "{{ \"rule\": \"critical_interval\", \"s\": \"{}\", \"t\": {}, \"regular\": {} }}",

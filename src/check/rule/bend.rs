@@ -45,5 +45,9 @@ pub fn check<W: Word>(context: &Context, a: &Node, b: Option<&Node>, factors: &[
         }
         Some(true)
     })?;
-    Some(if holds { Ok(()) } else { fails("(αv+βw)·x > 0 throughout", "a product that is not positive".into()) })
+    Some(if holds {
+        Ok(())
+    } else {
+        fails("(αv+βw)·x > 0 throughout", "a product that is not positive".into())
+    })
 }

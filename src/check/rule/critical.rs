@@ -43,7 +43,11 @@ fn kind(chain: &Chain, s: &Rational) -> Kind {
 }
 
 fn side_of(chain: &Chain, s: &Rational) -> Side {
-    if locate(chain, s, Side::After).is_some() { Side::After } else { Side::Before }
+    if locate(chain, s, Side::After).is_some() {
+        Side::After
+    } else {
+        Side::Before
+    }
 }
 
 /// Checks `critical_root`.
@@ -91,7 +95,10 @@ pub fn check_interval<W: Word>(
         Kind::Corner(a, b) => vec![(vector(&a)?, true), (vector(&b)?, false)],
     };
     let Some((pieces, joint)) = sections(chain, t) else {
-        return Some(fails("an interval of the curve", "an interval outside it, reversed or too long".into()));
+        return Some(fails(
+            "an interval of the curve",
+            "an interval outside it, reversed or too long".into(),
+        ));
     };
     let again = s + Rational::from_integer(chain.count().into());
     let inside = |s: &Rational| t.start <= *s && *s <= t.end;
@@ -103,13 +110,19 @@ pub fn check_interval<W: Word>(
     }
     let whole = restricted::<W>(chain, &pieces, 1)?;
     if !regular(&whole, m)? {
-        return Some(fails("m·w > 0 for all tangents of the interval", "a product that is not positive".into()));
+        return Some(fails(
+            "m·w > 0 for all tangents of the interval",
+            "a product that is not positive".into(),
+        ));
     }
     let corner = point::<W>(chain, &locate(chain, s, side_of(chain, s))?)?;
     let one_way = one_sided(&corner.hull(), &whole, &signs, false)?;
     let critical = one_way || signs.len() == 2 && one_sided(&corner.hull(), &whole, &signs, true)?;
     if !critical {
-        return Some(fails("a chord critical at s for all of the interval", "one that is not".into()));
+        return Some(fails(
+            "a chord critical at s for all of the interval",
+            "one that is not".into(),
+        ));
     }
     let mut at_ends = Vec::new();
     for end in [false, true] {
@@ -122,23 +135,38 @@ pub fn check_interval<W: Word>(
         at_ends.push(sign);
     }
     if at_ends[0] == Ordering::Equal || at_ends[0] != at_ends[1].reverse() {
-        return Some(fails("opposite signs at the ends of the interval", format!("{at_ends:?}")));
+        return Some(fails(
+            "opposite signs at the ends of the interval",
+            format!("{at_ends:?}"),
+        ));
     }
     for part in &whole {
         if !at_most(&corner.hull(), &part.hull(), upper_squared)? {
-            return Some(fails("upper_squared ≥ |E−q|² for all hull points", "a longer difference".into()));
+            return Some(fails(
+                "upper_squared ≥ |E−q|² for all hull points",
+                "a longer difference".into(),
+            ));
         }
     }
     Some(Ok(()))
 }
 
 /// Is (E−q)·v ≥ 0 for all q where `signs` says `true`, ≤ 0 where it says `false` (all reversed if `reverse`)?
-fn one_sided<W: Word>(corner: &Hull<'_, W>, whole: &[HullAndField<W>], signs: &[([W; 3], bool)], reverse: bool) -> Option<bool> {
+fn one_sided<W: Word>(
+    corner: &Hull<'_, W>,
+    whole: &[HullAndField<W>],
+    signs: &[([W; 3], bool)],
+    reverse: bool,
+) -> Option<bool> {
     for part in whole {
         let hull = part.hull();
         for (v, positive) in signs {
             // The least of (E−q)·v, or of (q−E)·v.
-            let gap = if *positive != reverse { Gap::new(corner, &hull) } else { Gap::new(&hull, corner) }?;
+            let gap = if *positive != reverse {
+                Gap::new(corner, &hull)
+            } else {
+                Gap::new(&hull, corner)
+            }?;
             if !gap.all(v, |g, _, _| Some(g >= W::zero()))? {
                 return Some(false);
             }

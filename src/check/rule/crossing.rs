@@ -12,12 +12,21 @@ use crate::claim::msd::Interval;
 use crate::number::Integer;
 
 /// Checks all obligations.
-pub fn check<W: Word>(chain: &Chain, s: &Interval, t: &Interval, first: &[Integer; 3], second: &[Integer; 3]) -> Option<Outcome> {
+pub fn check<W: Word>(
+    chain: &Chain,
+    s: &Interval,
+    t: &Interval,
+    first: &[Integer; 3],
+    second: &[Integer; 3],
+) -> Option<Outcome> {
     if chain.dimension != 2 {
         return Some(fails("a planar curve", "a spatial one".into()));
     }
     let (Some((pieces_s, _)), Some((pieces_t, _))) = (sections(chain, s), sections(chain, t)) else {
-        return Some(fails("two intervals of the curve", "an interval outside it, reversed or too long".into()));
+        return Some(fails(
+            "two intervals of the curve",
+            "an interval outside it, reversed or too long".into(),
+        ));
     };
     if !apart(chain, s, t) {
         return Some(fails("disjoint intervals in order", "intervals that meet".into()));
@@ -27,7 +36,9 @@ pub fn check<W: Word>(chain: &Chain, s: &Interval, t: &Interval, first: &[Intege
     }
     let (first, second) = (vector::<W>(first)?, vector::<W>(second)?);
     for end in [false, true] {
-        if !face(chain, &pieces_s, &pieces_t, &first, false, end)? || !face(chain, &pieces_t, &pieces_s, &second, true, end)? {
+        if !face(chain, &pieces_s, &pieces_t, &first, false, end)?
+            || !face(chain, &pieces_t, &pieces_s, &second, true, end)?
+        {
             return Some(fails("one strict sign on each face", "a face without".into()));
         }
     }
@@ -35,14 +46,29 @@ pub fn check<W: Word>(chain: &Chain, s: &Interval, t: &Interval, first: &[Intege
 }
 
 /// n·(p−q) negative at the start of `across`, positive at its end, where p is there and q on `along`, or the reverse if `swapped`.
-fn face<W: Word>(chain: &Chain, across: &[Section], along: &[Section], n: &[W; 3], swapped: bool, end: bool) -> Option<bool> {
+fn face<W: Word>(
+    chain: &Chain,
+    across: &[Section],
+    along: &[Section],
+    n: &[W; 3],
+    swapped: bool,
+    end: bool,
+) -> Option<bool> {
     let here = point::<W>(chain, &end_of(across, end))?;
     let zero = W::zero();
-    let n = if end { n.clone() } else { [zero.minus(&n[0])?, zero.minus(&n[1])?, zero.minus(&n[2])?] };
+    let n = if end {
+        n.clone()
+    } else {
+        [zero.minus(&n[0])?, zero.minus(&n[1])?, zero.minus(&n[2])?]
+    };
     for piece in along {
         let part = section::<W>(chain, piece)?;
         let (point, hull) = (here.hull(), part.hull());
-        let gap = if swapped { Gap::new(&hull, &point) } else { Gap::new(&point, &hull) }?;
+        let gap = if swapped {
+            Gap::new(&hull, &point)
+        } else {
+            Gap::new(&point, &hull)
+        }?;
         if !gap.positive(&n)? {
             return Some(false);
         }

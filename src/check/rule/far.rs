@@ -12,7 +12,13 @@ use crate::check::word::{Word, dot};
 use crate::number::{Integer, Rational};
 
 /// Checks the obligation against the finite bound `lower_squared`.
-pub fn check<W: Word>(context: &Context, a: &Node, b: &Node, n: &[Integer; 3], lower_squared: &Rational) -> Option<Outcome> {
+pub fn check<W: Word>(
+    context: &Context,
+    a: &Node,
+    b: &Node,
+    n: &[Integer; 3],
+    lower_squared: &Rational,
+) -> Option<Outcome> {
     let n = crate::check::word::vector::<W>(n)?;
     let (hull_a, hull_b) = (Hull::new(context, a)?, Hull::new(context, b)?);
     let gap = Gap::new(&hull_a, &hull_b)?;
@@ -30,18 +36,33 @@ pub fn check<W: Word>(context: &Context, a: &Node, b: &Node, n: &[Integer; 3], l
     })?;
     Some(match (holds, found) {
         (true, _) => Ok(()),
-        (false, found) => fails("g > 0 and g² ≥ lower_squared·(n·n)", format!("g = {}", found.unwrap_or_default())),
+        (false, found) => fails(
+            "g > 0 and g² ≥ lower_squared·(n·n)",
+            format!("g = {}", found.unwrap_or_default()),
+        ),
     })
 }
 
 /// Is (g/(w·v·common))² ≥ lower_squared·norm, in the narrowest width that holds the products?
 fn reaches<W: Word>(g: &W, w: &W, v: &W, common: &Integer, norm: &W, lower_squared: &Rational) -> bool {
-    fn compare<S: Word, W: Word>(g: &S, w: &S, v: &S, common: &Integer, norm: &S, lower_squared: &Rational) -> Option<bool> {
+    fn compare<S: Word, W: Word>(
+        g: &S,
+        w: &S,
+        v: &S,
+        common: &Integer,
+        norm: &S,
+        lower_squared: &Rational,
+    ) -> Option<bool> {
         use crate::check::chain::convert_one;
         let (g, norm): (W, W) = (convert_one(g)?, convert_one(norm)?);
-        let unit = convert_one::<S, W>(w)?.times(&convert_one(v)?)?.times(&W::from_integer(common)?)?;
+        let unit = convert_one::<S, W>(w)?
+            .times(&convert_one(v)?)?
+            .times(&W::from_integer(common)?)?;
         let left = g.times(&g)?.times(&W::from_integer(lower_squared.denom())?)?;
-        let right = unit.times(&unit)?.times(&norm)?.times(&W::from_integer(lower_squared.numer())?)?;
+        let right = unit
+            .times(&unit)?
+            .times(&norm)?
+            .times(&W::from_integer(lower_squared.numer())?)?;
         Some(left >= right)
     }
     compare::<W, i128>(g, w, v, common, norm, lower_squared)

@@ -35,26 +35,44 @@ pub fn check<W: Word>(chain: &Chain, witness: &Witness, upper_squared: &Rational
     if !(1..=1024).contains(&witness.subdivisions) {
         return Some(fails("1 to 1,024 subdivisions", witness.subdivisions.to_string()));
     }
-    let (Some((pieces_s, joint_s)), Some((pieces_t, joint_t))) = (sections(chain, witness.s), sections(chain, witness.t)) else {
-        return Some(fails("two intervals of the curve", "an interval outside it, reversed or too long".into()));
+    let (Some((pieces_s, joint_s)), Some((pieces_t, joint_t))) =
+        (sections(chain, witness.s), sections(chain, witness.t))
+    else {
+        return Some(fails(
+            "two intervals of the curve",
+            "an interval outside it, reversed or too long".into(),
+        ));
     };
     if !apart(chain, witness.s, witness.t) {
         return Some(fails("disjoint intervals in order", "intervals that meet".into()));
     }
-    if let Some(joint) = joint_s.into_iter().chain(joint_t).find(|joint| !smooth_at(chain, *joint)) {
+    if let Some(joint) = joint_s
+        .into_iter()
+        .chain(joint_t)
+        .find(|joint| !smooth_at(chain, *joint))
+    {
         return Some(fails("no corner inside", format!("the corner at {joint}")));
     }
     let ([a1, b1], [a2, b2]) = (witness.first, witness.second);
     if a1 * b2 == a2 * b1 {
         return Some(fails("α₁β₂ ≠ α₂β₁", "equal".into()));
     }
-    let (whole_s, whole_t) = (restricted::<W>(chain, &pieces_s, 1)?, restricted::<W>(chain, &pieces_t, 1)?);
+    let (whole_s, whole_t) = (
+        restricted::<W>(chain, &pieces_s, 1)?,
+        restricted::<W>(chain, &pieces_t, 1)?,
+    );
     for (whole, m) in [(&whole_s, &witness.regular[0]), (&whole_t, &witness.regular[1])] {
         if !regular(whole, m)? {
-            return Some(fails("m·v > 0 for all tangents of an interval", "a product that is not positive".into()));
+            return Some(fails(
+                "m·v > 0 for all tangents of an interval",
+                "a product that is not positive".into(),
+            ));
         }
     }
-    let faces = [(&pieces_s, &pieces_t, witness.first, false), (&pieces_t, &pieces_s, witness.second, true)];
+    let faces = [
+        (&pieces_s, &pieces_t, witness.first, false),
+        (&pieces_t, &pieces_s, witness.second, true),
+    ];
     for (across, along, factors, swapped) in faces {
         let parts = restricted::<W>(chain, along, witness.subdivisions)?;
         for end in [false, true] {
@@ -62,7 +80,10 @@ pub fn check<W: Word>(chain: &Chain, witness: &Witness, upper_squared: &Rational
             for part in &parts {
                 if !face(&here, part, factors, swapped, end)? {
                     let which = if swapped { "t" } else { "s" };
-                    return Some(fails("one strict sign on each face", format!("not on the face {which}{}", u8::from(end))));
+                    return Some(fails(
+                        "one strict sign on each face",
+                        format!("not on the face {which}{}", u8::from(end)),
+                    ));
                 }
             }
         }
@@ -70,7 +91,10 @@ pub fn check<W: Word>(chain: &Chain, witness: &Witness, upper_squared: &Rational
     for a in &whole_s {
         for b in &whole_t {
             if !at_most(&a.hull(), &b.hull(), upper_squared)? {
-                return Some(fails("upper_squared ≥ |p−q|² for all hull points", "a longer difference".into()));
+                return Some(fails(
+                    "upper_squared ≥ |p−q|² for all hull points",
+                    "a longer difference".into(),
+                ));
             }
         }
     }
@@ -79,7 +103,11 @@ pub fn check<W: Word>(chain: &Chain, witness: &Witness, upper_squared: &Rational
 
 /// The curve and D on each of the equal sub-sections of each section.
 pub fn restricted<W: Word>(chain: &Chain, pieces: &[Section], subdivisions: u32) -> Option<Vec<HullAndField<W>>> {
-    pieces.iter().flat_map(|piece| piece.subdivided(subdivisions)).map(|piece| section(chain, &piece)).collect()
+    pieces
+        .iter()
+        .flat_map(|piece| piece.subdivided(subdivisions))
+        .map(|piece| section(chain, &piece))
+        .collect()
 }
 
 /// Is m·v > 0 for all coefficients of D on the sections?
@@ -97,7 +125,10 @@ pub fn regular<W: Word>(whole: &[HullAndField<W>], m: &[Integer; 3]) -> Option<b
 pub fn at_most<W: Word>(a: &Hull<'_, W>, b: &Hull<'_, W>, upper_squared: &Rational) -> Option<bool> {
     let gap = Gap::new(a, b)?;
     let common = W::from_integer(&gap.common.value())?;
-    let (numerator, denominator) = (W::from_integer(upper_squared.numer())?, W::from_integer(upper_squared.denom())?);
+    let (numerator, denominator) = (
+        W::from_integer(upper_squared.numer())?,
+        W::from_integer(upper_squared.denom())?,
+    );
     gap.all_differences(|x, unit| {
         let unit = unit.times(&common)?;
         Some(dot(x, x)?.times(&denominator)? <= numerator.times(&unit.times(&unit)?)?)
@@ -106,15 +137,29 @@ pub fn at_most<W: Word>(a: &Hull<'_, W>, b: &Hull<'_, W>, upper_squared: &Ration
 
 /// The sign on one face: negative at the start (`end` false), positive at the end, of (p−q)·(αD(p)+βD(q)), where the fixed point is p, or q if
 /// `swapped`.
-fn face<W: Word>(here: &PointAndField<W>, part: &HullAndField<W>, factors: &[Integer; 2], swapped: bool, end: bool) -> Option<bool> {
-    let (fixed, moving) = if swapped { (&factors[1], &factors[0]) } else { (&factors[0], &factors[1]) };
+fn face<W: Word>(
+    here: &PointAndField<W>,
+    part: &HullAndField<W>,
+    factors: &[Integer; 2],
+    swapped: bool,
+    end: bool,
+) -> Option<bool> {
+    let (fixed, moving) = if swapped {
+        (&factors[1], &factors[0])
+    } else {
+        (&factors[0], &factors[1])
+    };
     let (s, t, _): (W, W, _) = bring_together(here.field_scale.doubled(0), part.field_scale.doubled(0))?;
     let (mut fixed, mut moving) = (W::from_integer(fixed)?.times(&t)?, W::from_integer(moving)?.times(&s)?);
     if !end {
         (fixed, moving) = (W::zero().minus(&fixed)?, W::zero().minus(&moving)?);
     }
     let (point, hull) = (here.hull(), part.hull());
-    let gap = if swapped { Gap::new(&hull, &point) } else { Gap::new(&point, &hull) }?;
+    let gap = if swapped {
+        Gap::new(&hull, &point)
+    } else {
+        Gap::new(&point, &hull)
+    }?;
     for w in &part.fields {
         if !gap.positive(&combine(&fixed, &here.field, &moving, w)?)? {
             return Some(false);

@@ -20,7 +20,9 @@ pub fn check<W: Word>(context: &Context, a: &Node, b: &Node, factors: &[Integer;
         return Some(fails("α, β not both 0", "0 0".into()));
     }
     let (alpha, beta) = (W::from_integer(&factors[0])?, W::from_integer(&factors[1])?);
-    let has_end = |node: &Node| node.contains_end(&context.elements, Element::Start) || node.contains_end(&context.elements, Element::End);
+    let has_end = |node: &Node| {
+        node.contains_end(&context.elements, Element::Start) || node.contains_end(&context.elements, Element::End)
+    };
     if alpha > W::zero() && has_end(a) {
         return Some(fails("α ≤ 0 at an end of the curve", format!("α = {}", factors[0])));
     }
@@ -31,5 +33,9 @@ pub fn check<W: Word>(context: &Context, a: &Node, b: &Node, factors: &[Integer;
     let gap = Gap::new(&hull_a, &hull_b)?;
     let (tangents_a, tangents_b) = (Tangents::<W>::new(context, a)?, Tangents::new(context, b)?);
     let holds = all_combinations(&tangents_a, &tangents_b, &alpha, &beta, |y| gap.positive(y))?;
-    Some(if holds { Ok(()) } else { fails("(p−q)·(αv+βw) > 0 throughout", "a product that is not positive".into()) })
+    Some(if holds {
+        Ok(())
+    } else {
+        fails("(p−q)·(αv+βw) > 0 throughout", "a product that is not positive".into())
+    })
 }

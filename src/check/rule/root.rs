@@ -12,10 +12,13 @@ use crate::number::{Integer, Rational};
 /// The chord between two parameters: an integer vector over a positive integer. `None` for a parameter that does not exist.
 pub fn chord(chain: &Chain, s: (&Rational, Side), t: (&Rational, Side)) -> Option<([Integer; 3], Integer)> {
     let at = |(parameter, side)| {
-        let here = point::<Integer>(chain, &locate(chain, parameter, side)?).expect("unbounded integers do not overflow");
+        let here =
+            point::<Integer>(chain, &locate(chain, parameter, side)?).expect("unbounded integers do not overflow");
         let hull = here.hull();
         let (x, weight) = hull.points().next().expect("a point");
-        let weight = weight.cloned().unwrap_or_else(|| hull.shared_scale().expect("one weight").value());
+        let weight = weight
+            .cloned()
+            .unwrap_or_else(|| hull.shared_scale().expect("one weight").value());
         Some((x.clone(), weight))
     };
     let ((p, w), (q, v)) = (at(s)?, at(t)?);
@@ -27,13 +30,21 @@ pub fn ordered(chain: &Chain, s: &Rational, t: &Rational) -> Outcome {
     if !is_parameter(chain, s) || !is_parameter(chain, t) {
         return fails("two parameters of the curve", format!("{s}, {t}"));
     }
-    if s >= t { fails("s < t", format!("{s}, {t}")) } else { Ok(()) }
+    if s >= t {
+        fails("s < t", format!("{s}, {t}"))
+    } else {
+        Ok(())
+    }
 }
 
 /// Is the chord x/u at most √upper_squared long?
 pub fn at_most(x: &[Integer; 3], unit: &Integer, upper_squared: &Rational) -> Outcome {
     let square = Rational::new(product(x, x), unit * unit);
-    if square <= *upper_squared { Ok(()) } else { fails("upper_squared ≥ |chord|²", format!("|chord|² = {square}")) }
+    if square <= *upper_squared {
+        Ok(())
+    } else {
+        fails("upper_squared ≥ |chord|²", format!("|chord|² = {square}"))
+    }
 }
 
 /// The dot product.
@@ -44,8 +55,14 @@ pub fn product(a: &[Integer; 3], b: &[Integer; 3]) -> Integer {
 /// Checks `root`.
 pub fn check(chain: &Chain, s: &(Rational, Side), t: &(Rational, Side), upper_squared: &Rational) -> Outcome {
     ordered(chain, &s.0, &t.0)?;
-    if [s, t].into_iter().any(|(parameter, side)| *side == Side::Before && !parameter.is_integer()) {
-        return fails("the side \"after\" of a parameter that is not an integer", "\"before\"".into());
+    if [s, t]
+        .into_iter()
+        .any(|(parameter, side)| *side == Side::Before && !parameter.is_integer())
+    {
+        return fails(
+            "the side \"after\" of a parameter that is not an integer",
+            "\"before\"".into(),
+        );
     }
     let Some((x, unit)) = chord(chain, (&s.0, s.1), (&t.0, t.1)) else {
         return fails("a piece on the side named", "none".into());
@@ -57,7 +74,10 @@ pub fn check(chain: &Chain, s: &(Rational, Side), t: &(Rational, Side), upper_sq
         };
         let along = product(&x, &v);
         if !along.vanishes() {
-            return fails("a chord orthogonal to the tangent", format!("a product of sign {:?} at {parameter}", along.sign()));
+            return fails(
+                "a chord orthogonal to the tangent",
+                format!("a product of sign {:?} at {parameter}", along.sign()),
+            );
         }
     }
     at_most(&x, &unit, upper_squared)
@@ -68,7 +88,11 @@ pub fn check_touch(chain: &Chain, s: &Rational, t: &Rational) -> Outcome {
     ordered(chain, s, t)?;
     // On an open curve the parameter M has no piece after it.
     let side = |parameter: &Rational| {
-        if locate(chain, parameter, Side::After).is_some() { Side::After } else { Side::Before }
+        if locate(chain, parameter, Side::After).is_some() {
+            Side::After
+        } else {
+            Side::Before
+        }
     };
     match chord(chain, (s, side(s)), (t, side(t))) {
         Some((x, _)) if x.iter().all(Word::vanishes) => Ok(()),

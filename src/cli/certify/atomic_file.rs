@@ -25,18 +25,11 @@ impl AtomicFile {
         let failure = |error: &io::Error| Failure::io(path.display(), "cannot be written", error);
         let target = match fs::metadata(path) {
             // What a link points to is replaced, not the link.
-            Ok(found) if found.is_file() => {
-                fs::canonicalize(path).map_err(|error| failure(&error))?
-            }
+            Ok(found) if found.is_file() => fs::canonicalize(path).map_err(|error| failure(&error))?,
             Ok(_) => {
-                return Err(Failure::at(
-                    path.display(),
-                    "cannot be written: not a regular file",
-                ));
+                return Err(Failure::at(path.display(), "cannot be written: not a regular file"));
             }
-            Err(error) if error.kind() == io::ErrorKind::NotFound && path.file_name().is_some() => {
-                path.to_path_buf()
-            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound && path.file_name().is_some() => path.to_path_buf(),
             Err(error) => return Err(failure(&error)),
         };
         let file = AtomicFile {
@@ -49,8 +42,7 @@ impl AtomicFile {
 
     /// Would this file replace the one at `path`?
     pub fn replaces(&self, path: &Path) -> bool {
-        fs::canonicalize(path)
-            .is_ok_and(|path| fs::canonicalize(&self.target).is_ok_and(|target| target == path))
+        fs::canonicalize(path).is_ok_and(|path| fs::canonicalize(&self.target).is_ok_and(|target| target == path))
     }
 
     /// The path as it was given.
@@ -65,10 +57,7 @@ impl AtomicFile {
             _ => Path::new("."),
         };
         if !directory.is_dir() {
-            let what = format!(
-                "cannot be written: there is no directory {}",
-                directory.display()
-            );
+            let what = format!("cannot be written: there is no directory {}", directory.display());
             return Err(Failure::at(self.shown.display(), what));
         }
         let mut builder = Builder::new();
@@ -89,8 +78,7 @@ impl AtomicFile {
             Ok(file.as_file().metadata()?.len())
         };
         let size = size().map_err(|error| self.failure(&error))?;
-        file.persist(&self.target)
-            .map_err(|error| self.failure(&error.error))?;
+        file.persist(&self.target).map_err(|error| self.failure(&error.error))?;
         Ok(size)
     }
 

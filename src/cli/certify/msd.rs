@@ -124,8 +124,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     let target = arguments.target()?;
     if let Some(threads) = arguments.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
-        pool.build_global()
-            .map_err(|error| Failure::at("--threads", error))?;
+        pool.build_global().map_err(|error| Failure::at("--threads", error))?;
     }
     let file = arguments.curve.read_curve(arguments.snap_joints)?;
     let options = Options {
@@ -140,15 +139,13 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     };
     let start = Instant::now();
     let progress = Progress::new(arguments.printing.quiet);
-    let mut certified = certify(&file.curve, &options, &|part| progress.at(part))
-        .map_err(|error| failure(&error, None))?;
+    let mut certified = certify(&file.curve, &options, &|part| progress.at(part)).map_err(|error| match error {
+        CertifyError::PointPiece { .. } => Failure::at(&arguments.curve, error),
+        error => failure(&error, None),
+    })?;
     progress.checking();
     let written = match target {
-        Some(target) => Some(write(
-            &mut certified,
-            arguments.encoding(target.path()),
-            &target,
-        )?),
+        Some(target) => Some(write(&mut certified, arguments.encoding(target.path()), &target)?),
         None => {
             let mut nowhere = SpooledTempFile::new(1 << 26);
             certified
@@ -179,20 +176,12 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
 }
 
 /// Writes the certificate, lets the checker read it back, and only then gives it its name.
-fn write(
-    certified: &mut Certified,
-    encoding: Encoding,
-    target: &AtomicFile,
-) -> Result<Written, Failure> {
+fn write(certified: &mut Certified, encoding: Encoding, target: &AtomicFile) -> Result<Written, Failure> {
     let mut file = target.begin()?;
     if let Err(error) = certified.write_checked(encoding, &mut file) {
-        let size = file
-            .as_file()
-            .metadata()
-            .map_or(0, |metadata| metadata.len());
+        let size = file.as_file().metadata().map_or(0, |metadata| metadata.len());
         if encoding == Encoding::Json && size >= MAX_JSON_BYTES {
-            let what =
-                "cannot be written: the certificate is above 1 GiB as JSON, use --format binary";
+            let what = "cannot be written: the certificate is above 1 GiB as JSON, use --format binary";
             return Err(Failure::at(target.path().display(), what));
         }
         return Err(failure(&error, Some(target)));
@@ -207,11 +196,10 @@ fn write(
 fn failure(error: &CertifyError, target: Option<&AtomicFile>) -> Failure {
     match (error, target) {
         (CertifyError::Io(error), Some(target)) => target.failure(error),
-        (CertifyError::Io(error), None) => {
-            Failure::io("temporary file", "cannot be written", error)
+        (CertifyError::Io(error), None) => Failure::io("temporary file", "cannot be written", error),
+        (CertifyError::PointPiece { .. }, _) => Failure::new(error.to_string()),
+        (CertifyError::Refuted(_), _) => {
+            Failure::new(format!("{error}; this is an error of knotproof, please report it"))
         }
-        (CertifyError::Refuted(_), _) => Failure::new(format!(
-            "{error}; this is an error of knotproof, please report it"
-        )),
     }
 }

@@ -26,14 +26,9 @@ impl Progress {
     pub fn new(quiet: bool) -> Progress {
         let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::hidden());
         if quiet || !stderr().is_terminal() {
-            return Progress {
-                bar,
-                patience: None,
-            };
+            return Progress { bar, patience: None };
         }
-        if let Ok(style) =
-            ProgressStyle::with_template("{msg} {bar:40} {percent:>3} % of this pass, {elapsed}")
-        {
+        if let Ok(style) = ProgressStyle::with_template("{msg} {bar:40} {percent:>3} % of this pass, {elapsed}") {
             bar.set_style(style);
         }
         bar.set_message("searching");
@@ -53,8 +48,7 @@ impl Progress {
 
     /// Shows that `part` of the present search, between 0 and 1, is done.
     pub fn at(&self, part: f64) {
-        self.bar
-            .set_position((part.clamp(0.0, 1.0) * STEPS as f64) as u64);
+        self.bar.set_position((part.clamp(0.0, 1.0) * STEPS as f64) as u64);
     }
 
     /// Shows that the checker replays what was found.

@@ -90,9 +90,7 @@ impl Report<'_> {
             bounds: Bounds::new(statement),
             relative_width: relative_width(statement),
             relative_width_asked: self.width_asked.into(),
-            at: ends
-                .as_ref()
-                .map(|ends| ends.each_ref().map(|end| end.knot.format())),
+            at: ends.as_ref().map(|ends| ends.each_ref().map(|end| end.knot.format())),
             at_pieces: ends.map(|ends| {
                 ends.map(|end| OnPiece {
                     piece: end.piece,
@@ -108,10 +106,7 @@ impl Report<'_> {
                 .map(|rule| describe(rule).0),
             leaves: self.certified.leaves,
             seconds: self.seconds,
-            certificate: self
-                .written
-                .as_ref()
-                .map(|written| written.path.display().to_string()),
+            certificate: self.written.as_ref().map(|written| written.path.display().to_string()),
             snapped_joints: self.file.snapped,
         }
     }
@@ -151,11 +146,7 @@ impl Report<'_> {
             "proved so far: "
         };
         match relative_width(statement) {
-            Some(width) => writeln!(
-                text,
-                "  {so_far}{}, relative width {width}",
-                in_words(statement)
-            )?,
+            Some(width) => writeln!(text, "  {so_far}{}, relative width {width}", in_words(statement))?,
             None => writeln!(text, "  {so_far}{}", in_words(statement))?,
         }
         if let Some(ends) = self.ends() {
@@ -165,14 +156,9 @@ impl Report<'_> {
             let (rule, what) = describe(rule);
             writeln!(text, "  upper bound: {what} (rule {rule})")?;
         }
-        let empty =
-            matches!(&statement.lower_squared, Lower::Finite(lower) if lower.numer().is_zero());
+        let empty = matches!(&statement.lower_squared, Lower::Finite(lower) if lower.numer().is_zero());
         if !empty {
-            writeln!(
-                text,
-                "  lower bound: a cover tree with {}",
-                leaves_in_words(*leaves)
-            )?;
+            writeln!(text, "  lower bound: a cover tree with {}", leaves_in_words(*leaves))?;
         }
         if self.file.snapped > 0 {
             writeln!(
@@ -252,14 +238,8 @@ fn describe(rule: &Upper) -> (&'static str, &'static str) {
             "a double normal, enclosed by signs around a box of parameters",
         ),
         Upper::Root { .. } => ("root", "an exact double normal"),
-        Upper::Touch { .. } => (
-            "touch",
-            "the curve passes twice through a point, at exact parameters",
-        ),
-        Upper::Crossing { .. } => (
-            "crossing",
-            "the curve crosses itself inside a box of parameters",
-        ),
+        Upper::Touch { .. } => ("touch", "the curve passes twice through a point, at exact parameters"),
+        Upper::Crossing { .. } => ("crossing", "the curve crosses itself inside a box of parameters"),
         Upper::CriticalRoot { .. } => ("critical_root", "an exact critical chord"),
         Upper::CriticalInterval { .. } => (
             "critical_interval",

@@ -6,20 +6,13 @@ use super::document::{BSplineDocument, BezierDocument, Document, Points};
 use super::error::{ReadError, ReadFault};
 use super::{CurveFile, MAXIMUM_TOTAL_BITS, ReadOptions};
 use crate::curve::data::joins;
-use crate::curve::{
-    BSpline, Bezier, Curve, CurveError, CurveFault, Form, MAXIMUM_BITS, MAXIMUM_PIECES,
-};
-use crate::number::{
-    Integer, MAXIMUM_LENGTH, Meaning, Rational, RationalExt, RationalVector, parse_number,
-};
+use crate::curve::{BSpline, Bezier, Curve, CurveError, CurveFault, Form, MAXIMUM_BITS, MAXIMUM_PIECES};
+use crate::number::{Integer, MAXIMUM_LENGTH, Meaning, Rational, RationalExt, RationalVector, parse_number};
 
 /// The longest canonical fraction whose numerator and denominator have [`MAXIMUM_BITS`], 19,729 digits each.
 const MAXIMUM_CANONICAL_LENGTH: usize = 2 * 19_729 + 2;
 
-pub(super) fn convert(
-    document: Document<'_>,
-    options: ReadOptions,
-) -> Result<CurveFile, ReadError> {
+pub(super) fn convert(document: Document<'_>, options: ReadOptions) -> Result<CurveFile, ReadError> {
     if document.knotproof != super::VERSION {
         return Err(super::version_error(document.knotproof));
     }
@@ -65,10 +58,7 @@ fn refuse(path: impl Into<String>, fault: ReadFault) -> ReadError {
 }
 
 fn refuse_curve(prefix: &str, error: CurveError) -> ReadError {
-    refuse(
-        format!("{prefix}{}", error.place),
-        ReadFault::Curve(error.fault),
-    )
+    refuse(format!("{prefix}{}", error.place), ReadFault::Curve(error.fault))
 }
 
 /// Reads numbers and keeps account of their size.
@@ -91,8 +81,7 @@ impl Numbers {
             None => None,
         };
         let dimension = document.points.dimension;
-        BSpline::new(dimension, document.degree, knots, points, weights)
-            .map_err(|e| refuse_curve("bspline.", e))
+        BSpline::new(dimension, document.degree, knots, points, weights).map_err(|e| refuse_curve("bspline.", e))
     }
 
     fn pieces(&mut self, document: &BezierDocument<'_>) -> Result<Vec<Bezier>, ReadError> {
@@ -110,29 +99,18 @@ impl Numbers {
                 Some(list) => Some(self.vector(list, &|k| format!("{}weights[{k}]", prefix()))?),
                 None => None,
             };
-            let piece = Bezier::new(piece.points.dimension, points, weights)
-                .map_err(|e| refuse_curve(&prefix(), e))?;
+            let piece = Bezier::new(piece.points.dimension, points, weights).map_err(|e| refuse_curve(&prefix(), e))?;
             pieces.push(piece);
         }
         Ok(pieces)
     }
 
-    fn points(
-        &mut self,
-        prefix: &dyn Fn() -> String,
-        points: &Points<'_>,
-    ) -> Result<RationalVector, ReadError> {
+    fn points(&mut self, prefix: &dyn Fn() -> String, points: &Points<'_>) -> Result<RationalVector, ReadError> {
         let d = points.dimension;
-        self.vector(&points.flat, &|i| {
-            format!("{}points[{}][{}]", prefix(), i / d, i % d)
-        })
+        self.vector(&points.flat, &|i| format!("{}points[{}][{}]", prefix(), i / d, i % d))
     }
 
-    fn vector(
-        &mut self,
-        list: &[&RawValue],
-        path: &dyn Fn(usize) -> String,
-    ) -> Result<RationalVector, ReadError> {
+    fn vector(&mut self, list: &[&RawValue], path: &dyn Fn(usize) -> String) -> Result<RationalVector, ReadError> {
         let mut numbers = Vec::with_capacity(list.len());
         for (i, raw) in list.iter().enumerate() {
             let number = self.number(raw).map_err(|fault| refuse(path(i), fault))?;
@@ -163,8 +141,7 @@ impl Numbers {
         let text = raw.get();
         match text.as_bytes().first() {
             Some(b'"') if text.contains('\\') => {
-                let plain: String =
-                    serde_json::from_str(text).map_err(|_| not_a_number("a broken string"))?;
+                let plain: String = serde_json::from_str(text).map_err(|_| not_a_number("a broken string"))?;
                 self.parse(&plain)
             }
             Some(b'"') => self.parse(&text[1..text.len() - 1]),
@@ -195,10 +172,7 @@ fn not_a_number(found: &str) -> ReadFault {
 /// Points there, 2 or 3 coordinates each, all the same.
 fn check_points(prefix: &dyn Fn() -> String, points: &Points<'_>) -> Result<(), ReadError> {
     let (place, fault) = if points.count == 0 {
-        let fault = CurveFault::PointCount {
-            found: 0,
-            expected: 2,
-        };
+        let fault = CurveFault::PointCount { found: 0, expected: 2 };
         ("points".to_string(), fault)
     } else if points.dimension != 2 && points.dimension != 3 {
         let found = points.dimension;
@@ -210,10 +184,7 @@ fn check_points(prefix: &dyn Fn() -> String, points: &Points<'_>) -> Result<(), 
     } else {
         return Ok(());
     };
-    Err(refuse(
-        format!("{}{place}", prefix()),
-        ReadFault::Curve(fault),
-    ))
+    Err(refuse(format!("{}{place}", prefix()), ReadFault::Curve(fault)))
 }
 
 /// The size of the least common denominator, or the first number with which it exceeds the accepted size and the size

@@ -123,10 +123,7 @@ impl fmt::Display for ReadFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             ReadFault::NotUtf8 { offset } => {
-                write!(
-                    f,
-                    "found bytes that are not UTF-8 at byte {offset}, expected JSON"
-                )
+                write!(f, "found bytes that are not UTF-8 at byte {offset}, expected JSON")
             }
             ReadFault::Syntax { message, at } => write!(f, "{at}: {message}, expected JSON"),
             ReadFault::UnknownField { message, at }
@@ -143,10 +140,9 @@ impl fmt::Display for ReadFault {
                 write!(f, "found neither bspline nor bezier, expected one of them")
             }
             ReadFault::TwoForms => write!(f, "found both bspline and bezier, expected one of them"),
-            ReadFault::NotANumber { found } => write!(
-                f,
-                "found {found}, expected a number or a string with the text of one"
-            ),
+            ReadFault::NotANumber { found } => {
+                write!(f, "found {found}, expected a number or a string with the text of one")
+            }
             ReadFault::Number(error) => error.fmt(f),
             ReadFault::Curve(fault) => fault.fmt(f),
             ReadFault::NotClosed => write!(
@@ -157,10 +153,9 @@ impl fmt::Display for ReadFault {
                 f,
                 "found false, but the two ends of the curve coincide; expected an open curve"
             ),
-            ReadFault::TooLarge { found, limit } => write!(
-                f,
-                "found numbers of {found} bits together, expected at most {limit}"
-            ),
+            ReadFault::TooLarge { found, limit } => {
+                write!(f, "found numbers of {found} bits together, expected at most {limit}")
+            }
         }
     }
 }

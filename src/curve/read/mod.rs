@@ -48,10 +48,7 @@ pub fn read_curve(json: impl AsRef<[u8]>) -> Result<CurveFile, ReadError> {
 ///
 /// # Errors
 /// As [`read_curve`].
-pub fn read_curve_with(
-    json: impl AsRef<[u8]>,
-    options: ReadOptions,
-) -> Result<CurveFile, ReadError> {
+pub fn read_curve_with(json: impl AsRef<[u8]>, options: ReadOptions) -> Result<CurveFile, ReadError> {
     let json = std::str::from_utf8(json.as_ref()).map_err(|error| ReadError {
         path: String::new(),
         fault: ReadFault::NotUtf8 {

@@ -1,9 +1,7 @@
 //! Sums, differences, products and shifts, for owned and borrowed operands alike.
 
 use std::iter::Sum;
-use std::ops::{
-    Add, AddAssign, Mul, MulAssign, Neg, Shl, ShlAssign, Shr, ShrAssign, Sub, SubAssign,
-};
+use std::ops::{Add, AddAssign, Mul, MulAssign, Neg, Shl, ShlAssign, Shr, ShrAssign, Sub, SubAssign};
 
 use super::{Integer, Large, Small, backend};
 

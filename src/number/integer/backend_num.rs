@@ -85,9 +85,7 @@ pub(super) fn div_exact(a: &Backend, b: &Backend) -> Backend {
 
 /// |a| mod b, for b > 0.
 pub(super) fn magnitude_rem(a: &Backend, b: u64) -> u64 {
-    (a.magnitude() % b)
-        .to_u64()
-        .expect("a remainder by a u64 is a u64")
+    (a.magnitude() % b).to_u64().expect("a remainder by a u64 is a u64")
 }
 
 pub(super) fn gcd(a: &Backend, b: &Backend) -> Backend {

@@ -15,10 +15,7 @@ impl Integer {
     pub fn div_rem(&self, divisor: &Integer) -> (Integer, Integer) {
         refuse_zero(divisor);
         match (&self.0, &divisor.0) {
-            (Small(a), Small(b)) => (
-                quotient_of_small(*a, *b),
-                Integer::small(a.wrapping_rem(*b)),
-            ),
+            (Small(a), Small(b)) => (quotient_of_small(*a, *b), Integer::small(a.wrapping_rem(*b))),
             (Large(a), Large(b)) => pair(backend::div_rem(a, b)),
             _ => pair(backend::div_rem(&self.to_backend(), &divisor.to_backend())),
         }
@@ -90,9 +87,7 @@ impl Integer {
         match (&self.0, &divisor.0) {
             (Small(a), Small(b)) => quotient_of_small(*a, *b),
             (Large(a), Large(b)) => Integer::from_backend(backend::div_exact(a, b)),
-            (Large(a), Small(_)) => {
-                Integer::from_backend(backend::div_exact(a, &divisor.to_backend()))
-            }
+            (Large(a), Small(_)) => Integer::from_backend(backend::div_exact(a, &divisor.to_backend())),
             // Only -2^63 / 2^63 and 0 / divisor leave no remainder here.
             (Small(_), Large(_)) => self.div_borrowed(divisor),
         }
@@ -135,10 +130,7 @@ fn quotient_of_small(a: i64, b: i64) -> Integer {
 }
 
 fn pair((quotient, remainder): (backend::Backend, backend::Backend)) -> (Integer, Integer) {
-    (
-        Integer::from_backend(quotient),
-        Integer::from_backend(remainder),
-    )
+    (Integer::from_backend(quotient), Integer::from_backend(remainder))
 }
 
 operator!(Div div, DivAssign div_assign, div_borrowed, div_in_place, |a, b| a.div_borrowed(&b));

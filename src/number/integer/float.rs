@@ -25,9 +25,7 @@ impl Integer {
         // `leading` has b ≤ 64 bits, so leading · 2^-b lies in [½, 1), and rounds to 1 at most.
         let bits = i64::from(64 - leading.leading_zeros());
         let mantissa = round_scaled(leading, -bits);
-        let exponent = i64::try_from(exponent)
-            .unwrap_or(i64::MAX)
-            .saturating_add(bits);
+        let exponent = i64::try_from(exponent).unwrap_or(i64::MAX).saturating_add(bits);
         let (mantissa, exponent) = if mantissa == 1.0 {
             (0.5, exponent.saturating_add(1))
         } else {

@@ -131,11 +131,7 @@ impl Integer {
 
     /// The absolute value.
     pub fn abs(&self) -> Integer {
-        if self.is_negative() {
-            -self
-        } else {
-            self.clone()
-        }
+        if self.is_negative() { -self } else { self.clone() }
     }
 
     /// Bit length of the magnitude: the least k with |self| < 2^k, so 0 for 0.

@@ -94,15 +94,9 @@ fn check_single(a: &Integer, bits: u32) {
     let bytes = a.magnitude_bytes_le();
     assert_ne!(bytes.last(), Some(&0));
     assert_eq!(&BigUint::from_bytes_le(&bytes), x.magnitude());
-    assert_eq!(
-        &Integer::from_magnitude_bytes_le(a.is_negative(), &bytes),
-        a
-    );
+    assert_eq!(&Integer::from_magnitude_bytes_le(a.is_negative(), &bytes), a);
     assert_eq!(a.to_string().parse::<Integer>().as_ref(), Ok(a));
-    assert_eq!(
-        Integer::from_str_radix(&x.to_str_radix(16), 16).as_ref(),
-        Ok(a)
-    );
+    assert_eq!(Integer::from_str_radix(&x.to_str_radix(16), 16).as_ref(), Ok(a));
     // The standard library's parser rounds correctly.
     assert_eq!(a.to_f64(), a.to_string().parse::<f64>().unwrap());
     let root = a.abs().sqrt_floor().unwrap();
@@ -159,18 +153,12 @@ fn primitives() {
         (Integer::from(i16::MIN), "-32768"),
         (Integer::from(i32::MIN), "-2147483648"),
         (Integer::from(i64::MIN), "-9223372036854775808"),
-        (
-            Integer::from(i128::MIN),
-            "-170141183460469231731687303715884105728",
-        ),
+        (Integer::from(i128::MIN), "-170141183460469231731687303715884105728"),
         (Integer::from(u8::MAX), "255"),
         (Integer::from(u16::MAX), "65535"),
         (Integer::from(u32::MAX), "4294967295"),
         (Integer::from(u64::MAX), "18446744073709551615"),
-        (
-            Integer::from(u128::MAX),
-            "340282366920938463463374607431768211455",
-        ),
+        (Integer::from(u128::MAX), "340282366920938463463374607431768211455"),
         (Integer::from(usize::MAX), &usize::MAX.to_string()),
         (Integer::default(), "0"),
     ] {
@@ -199,18 +187,9 @@ fn texts_refused() {
         };
         assert_eq!(text.parse::<Integer>(), Err(expected));
     }
-    for text in [
-        "-0",
-        "00",
-        "01",
-        "-07",
-        "00000000000000000000000000000000001",
-    ] {
+    for text in ["-0", "00", "01", "-07", "00000000000000000000000000000000001"] {
         let error = text.parse::<Integer>();
-        assert!(
-            matches!(error, Err(NumberError::NotCanonical { .. })),
-            "{text}"
-        );
+        assert!(matches!(error, Err(NumberError::NotCanonical { .. })), "{text}");
     }
     assert!(Integer::from_str_radix("12", 2).is_err());
     assert!(Integer::from_str_radix("12", 99).is_err());
@@ -220,10 +199,7 @@ fn texts_refused() {
 #[test]
 fn bytes_with_zeros_at_the_end() {
     assert_eq!(Integer::from_magnitude_bytes_le(true, &[]), Integer::ZERO);
-    assert_eq!(
-        Integer::from_magnitude_bytes_le(true, &[0; 12]),
-        Integer::ZERO
-    );
+    assert_eq!(Integer::from_magnitude_bytes_le(true, &[0; 12]), Integer::ZERO);
     assert_eq!(
         Integer::from_magnitude_bytes_le(true, &[5, 0, 0, 0, 0, 0, 0, 0, 0, 0]),
         Integer::from(-5)
@@ -248,10 +224,7 @@ fn binomials_make_pascals_triangle() {
         }
     }
     assert_eq!(Integer::binomial(0, 0), Integer::ONE);
-    assert_eq!(
-        Integer::binomial(u32::MAX, u32::MAX - 1),
-        Integer::from(u32::MAX)
-    );
+    assert_eq!(Integer::binomial(u32::MAX, u32::MAX - 1), Integer::from(u32::MAX));
 }
 
 #[test]
@@ -266,10 +239,7 @@ fn rounding_to_binary64_at_the_edges() {
     assert_eq!((Integer::ONE << 5000).to_f64(), f64::INFINITY);
     assert_eq!(Integer::ZERO.to_f64().to_bits(), 0);
     assert_eq!((Integer::ONE << 5000).to_f64_exponent(), (0.5, 5001));
-    assert_eq!(
-        ((Integer::ONE << 5000) - Integer::ONE).to_f64_exponent(),
-        (0.5, 5001)
-    );
+    assert_eq!(((Integer::ONE << 5000) - Integer::ONE).to_f64_exponent(), (0.5, 5001));
     assert_eq!(Integer::ZERO.to_f64_exponent(), (0.0, 0));
     assert_eq!(Integer::from(i64::MIN).to_f64_exponent(), (-0.5, 64));
     // Ties, of 54 significant bits, with and without something below them.

@@ -75,11 +75,7 @@ impl Signed for Integer {
 
     /// self − other, or 0 if that is negative.
     fn abs_sub(&self, other: &Self) -> Self {
-        if self <= other {
-            Integer::ZERO
-        } else {
-            self - other
-        }
+        if self <= other { Integer::ZERO } else { self - other }
     }
 
     fn signum(&self) -> Self {

@@ -116,9 +116,7 @@ impl<'a> Cursor<'a> {
             return Err(self.unexpected());
         }
         let magnitude = digits.bytes().fold(0_u32, |value, digit| {
-            value
-                .saturating_mul(10)
-                .saturating_add(u32::from(digit - b'0'))
+            value.saturating_mul(10).saturating_add(u32::from(digit - b'0'))
         });
         if magnitude > MAXIMUM_EXPONENT {
             return Err(NumberError::ExponentTooLarge {
@@ -134,11 +132,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Passes digits with an optional point among them and an optional exponent, up to the end of the text.
-    fn scientific(
-        &mut self,
-        is_digit: fn(&u8) -> bool,
-        letters: &[u8],
-    ) -> Result<Scientific<'a>, NumberError> {
+    fn scientific(&mut self, is_digit: fn(&u8) -> bool, letters: &[u8]) -> Result<Scientific<'a>, NumberError> {
         let whole = self.digits(is_digit);
         let fraction = if self.pass(b".").is_some() {
             self.digits(is_digit)
@@ -216,8 +210,7 @@ fn decimal_or_fraction(cursor: &mut Cursor, meaning: Meaning) -> Result<Rational
     if let Some(slash) = cursor.rest().find('/') {
         let slash = cursor.offset + slash;
         let part = |start: usize, end: usize| {
-            Integer::from_digits(&text[start..end])
-                .ok_or_else(|| NumberError::not_digits(text, start, end))
+            Integer::from_digits(&text[start..end]).ok_or_else(|| NumberError::not_digits(text, start, end))
         };
         let numerator = part(cursor.offset, slash)?;
         let denominator = part(slash + 1, text.len())?;
@@ -227,9 +220,7 @@ fn decimal_or_fraction(cursor: &mut Cursor, meaning: Meaning) -> Result<Rational
         return Ok(Rational::new(numerator, denominator));
     }
     let scientific = cursor.scientific(u8::is_ascii_digit, b"eE")?;
-    let digits = scientific
-        .decimal_digits()
-        .ok_or_else(|| cursor.unexpected())?;
+    let digits = scientific.decimal_digits().ok_or_else(|| cursor.unexpected())?;
     let exponent = scientific.exponent - scientific.fraction.len() as i64;
     match meaning {
         Meaning::Decimal => Ok(decimal_value(digits, exponent)),
@@ -262,8 +253,5 @@ fn decimal_value(digits: Integer, exponent: i64) -> Rational {
         return Rational::new_raw(numerator, power << (places - twos));
     }
     let fives = numerator.gcd(&power);
-    Rational::new_raw(
-        numerator.div_exact(&fives),
-        power.div_exact(&fives) << (places - twos),
-    )
+    Rational::new_raw(numerator.div_exact(&fives), power.div_exact(&fives) << (places - twos))
 }

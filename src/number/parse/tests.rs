@@ -28,17 +28,9 @@ fn naive(text: &str) -> Rational {
         }
     }
     for _ in 0..places.abs() {
-        value = if places > 0 {
-            value * &ten
-        } else {
-            value / &ten
-        };
+        value = if places > 0 { value * &ten } else { value / &ten };
     }
-    if mantissa.starts_with('-') {
-        -value
-    } else {
-        value
-    }
+    if mantissa.starts_with('-') { -value } else { value }
 }
 
 fn decimal_texts() -> impl Strategy<Value = String> {
@@ -49,8 +41,7 @@ fn decimal_texts() -> impl Strategy<Value = String> {
         "0\\.0{0,9}[1-9]0{0,30}"
     ];
     let exponent = prop_oneof!["", "[eE][+-]?[0-9]{1,2}", "[eE][+-]?[0-3][0-9]{2}"];
-    ("[+-]?", mantissa, exponent)
-        .prop_map(|(sign, mantissa, exponent)| sign + &mantissa + &exponent)
+    ("[+-]?", mantissa, exponent).prop_map(|(sign, mantissa, exponent)| sign + &mantissa + &exponent)
 }
 
 #[test]
@@ -87,20 +78,13 @@ fn values() {
             parse_number(text, Meaning::Binary64),
             parse_number(text, Meaning::Decimal)
         );
-        assert_ne!(
-            Rational::from_f64(decimal(text).to_f64()),
-            Some(decimal(text))
-        );
+        assert_ne!(Rational::from_f64(decimal(text).to_f64()), Some(decimal(text)));
     }
 }
 
 #[test]
 fn texts_refused() {
-    let message = |text: &str| {
-        parse_number(text, Meaning::Decimal)
-            .unwrap_err()
-            .to_string()
-    };
+    let message = |text: &str| parse_number(text, Meaning::Decimal).unwrap_err().to_string();
     for (text, expected) in [
         ("", "empty"),
         ("-", "ends"),
@@ -146,10 +130,7 @@ fn texts_refused() {
     }
     for text in ["1/0", "-0/00"] {
         let error = parse_number(text, Meaning::Binary64);
-        assert_eq!(
-            error,
-            Err(NumberError::ZeroDenominator { text: text.into() })
-        );
+        assert_eq!(error, Err(NumberError::ZeroDenominator { text: text.into() }));
     }
 }
 
@@ -175,10 +156,7 @@ fn sizes_are_bounded() {
         "1e-99999999999999999999",
     ] {
         let error = parse_number(text, Meaning::Decimal);
-        assert!(
-            matches!(error, Err(NumberError::ExponentTooLarge { .. })),
-            "{text}"
-        );
+        assert!(matches!(error, Err(NumberError::ExponentTooLarge { .. })), "{text}");
     }
     assert_eq!(decimal("1e10000").numer(), &Integer::from(10).pow(10_000));
     assert_eq!(decimal("1e-10000").denom(), &Integer::from(10).pow(10_000));
@@ -200,10 +178,7 @@ fn binary64_overflow_and_underflow() {
     // Just below the middle between the largest finite number and 2^1024.
     let below = parse_number("1.7976931348623158079e308", Meaning::Binary64);
     assert_eq!(below, Ok(largest));
-    assert_eq!(
-        parse_number("1e-400", Meaning::Binary64).unwrap().format(),
-        "0"
-    );
+    assert_eq!(parse_number("1e-400", Meaning::Binary64).unwrap().format(), "0");
     let least = parse_number("4.9e-324", Meaning::Binary64).unwrap();
     assert_eq!(least.to_f64(), f64::from_bits(1));
 }
