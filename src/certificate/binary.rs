@@ -15,7 +15,8 @@ const MAX_HEADER: u32 = 1 << 24;
 
 /// Writes the binary form; `tree` holds the tokens.
 pub fn write<R: Read, W: Write>(document: &Document, mut tree: R, out: &mut W) -> io::Result<()> {
-    let header = json::header(document);
+    let curve = block::bytes(&document.curve);
+    let header = json::header(document, &block::sha256(&curve));
     let length = u32::try_from(header.len()).ok().filter(|length| *length <= MAX_HEADER);
     let length = length.ok_or_else(|| {
         io::Error::new(
@@ -26,7 +27,7 @@ pub fn write<R: Read, W: Write>(document: &Document, mut tree: R, out: &mut W) -
     out.write_all(MAGIC)?;
     out.write_all(&length.to_le_bytes())?;
     out.write_all(header.as_bytes())?;
-    block::write(&document.curve, out)?;
+    out.write_all(&curve)?;
     if document.has_tree {
         io::copy(&mut tree, out)?;
     }

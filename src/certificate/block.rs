@@ -1,11 +1,11 @@
 //! The curve block and its hash (FORMAT §7).
 
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 
 use sha2::{Digest, Sha256};
 
 use super::FormatError;
-use crate::claim::tree::{read_signed_varint, read_varint, write_signed_varint, write_varint};
+use crate::claim::tree::{ByteRead, read_signed_varint, read_varint, write_signed_varint, write_varint};
 use crate::curve::{BSpline, Bezier, Curve, Form, MAXIMUM_BITS, MAXIMUM_DEGREE, MAXIMUM_PIECES};
 use crate::number::{Integer, RationalVector};
 
@@ -63,21 +63,21 @@ fn write_weights(weights: Option<&RationalVector>, bytes: &mut Vec<u8>, out: &mu
     }
 }
 
+/// The curve block in memory.
+pub fn bytes(curve: &Curve) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    write(curve, &mut bytes).expect("memory takes all bytes");
+    bytes
+}
+
 /// The SHA-256 of the curve block.
 pub fn curve_sha256(curve: &Curve) -> [u8; 32] {
-    struct Hashing(Sha256);
-    impl Write for Hashing {
-        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-            self.0.update(bytes);
-            Ok(bytes.len())
-        }
-        fn flush(&mut self) -> io::Result<()> {
-            Ok(())
-        }
-    }
-    let mut hashing = Hashing(Sha256::new());
-    write(curve, &mut hashing).expect("hashing does not fail");
-    hashing.0.finalize().into()
+    sha256(&bytes(curve))
+}
+
+/// The SHA-256 of a curve block in memory.
+pub fn sha256(block: &[u8]) -> [u8; 32] {
+    Sha256::digest(block).into()
 }
 
 /// Lower-case hexadecimal digits.
@@ -86,7 +86,7 @@ pub fn hexadecimal(hash: &[u8; 32]) -> String {
 }
 
 /// Reads the curve block.
-pub fn read(source: &mut impl Read) -> Result<Curve, FormatError> {
+pub fn read(source: &mut impl ByteRead) -> Result<Curve, FormatError> {
     let dimension = usize::from(byte(source)?);
     if dimension != 2 && dimension != 3 {
         return Err(FormatError::malformed("curve block", format!("dimension {dimension}")));
@@ -120,13 +120,13 @@ pub fn read(source: &mut impl Read) -> Result<Curve, FormatError> {
     Curve::new(dimension, form).map_err(|error| FormatError::malformed("curve block", error.to_string()))
 }
 
-fn byte(source: &mut impl Read) -> Result<u8, FormatError> {
+fn byte(source: &mut impl ByteRead) -> Result<u8, FormatError> {
     let mut byte = [0];
     source.read_exact(&mut byte)?;
     Ok(byte[0])
 }
 
-fn count(source: &mut impl Read, limit: usize, what: &str) -> Result<usize, FormatError> {
+fn count(source: &mut impl ByteRead, limit: usize, what: &str) -> Result<usize, FormatError> {
     let value = read_varint(source, 64)?;
     match value.to_u64() {
         Some(value) if value <= limit as u64 => Ok(value as usize),
@@ -137,7 +137,7 @@ fn count(source: &mut impl Read, limit: usize, what: &str) -> Result<usize, Form
     }
 }
 
-fn read_vector(source: &mut impl Read, count: usize) -> Result<RationalVector, FormatError> {
+fn read_vector(source: &mut impl ByteRead, count: usize) -> Result<RationalVector, FormatError> {
     let denominator = read_varint(source, MAXIMUM_BITS)?;
     // Space is taken as the numbers come, so that a false count cannot take more than the file holds.
     let mut numerators = Vec::with_capacity(count.min(4096));
@@ -154,7 +154,7 @@ fn read_vector(source: &mut impl Read, count: usize) -> Result<RationalVector, F
     }
 }
 
-fn read_weights(source: &mut impl Read, count: usize) -> Result<Option<RationalVector>, FormatError> {
+fn read_weights(source: &mut impl ByteRead, count: usize) -> Result<Option<RationalVector>, FormatError> {
     match byte(source)? {
         0 => Ok(None),
         1 => read_vector(source, count).map(Some),

@@ -4,6 +4,8 @@ use std::io::{self, Read};
 
 use sha2::{Digest, Sha256};
 
+use crate::claim::tree::ByteRead;
+
 const BUFFER: usize = 1 << 16;
 
 /// Reads through a buffer of its own; the bytes between [`ByteSource::start_hash`] and [`ByteSource::end_hash`] are hashed.
@@ -89,6 +91,15 @@ impl<R: Read> Read for ByteSource<R> {
             }
         }
         Ok(())
+    }
+}
+
+impl<R: Read> ByteRead for ByteSource<R> {
+    fn ahead(&self) -> &[u8] {
+        &self.buffer[self.start..self.end]
+    }
+    fn skip(&mut self, count: usize) {
+        self.start += count;
     }
 }
 

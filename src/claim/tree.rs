@@ -98,8 +98,8 @@ pub struct BinaryTokens<R> {
     dimension: usize,
 }
 
-impl<R: Read> BinaryTokens<R> {
-    /// Reads from `source`, which should be buffered; vectors have `dimension` components.
+impl<R: ByteRead> BinaryTokens<R> {
+    /// Reads from `source`; vectors have `dimension` components.
     pub fn new(source: R, dimension: usize) -> Self {
         BinaryTokens { source, dimension }
     }
@@ -142,7 +142,7 @@ fn unit_factors(code: u8) -> [Integer; 2] {
     }
 }
 
-impl<R: Read> TokenSource for BinaryTokens<R> {
+impl<R: ByteRead> TokenSource for BinaryTokens<R> {
     fn next_token(&mut self) -> Result<Option<Token>, TokenError> {
         let mut byte = [0u8];
         if let Err(error) = self.source.read_exact(&mut byte) {
@@ -302,8 +302,45 @@ pub fn write_signed_varint(value: &Integer, out: &mut Vec<u8>) {
     );
 }
 
-/// Reads an unsigned varint of at most `max_bits` bits.
-pub fn read_varint<R: Read>(source: &mut R, max_bits: u64) -> Result<Integer, TokenError> {
+/// A source of bytes that may have some in memory.
+pub trait ByteRead: Read {
+    /// The bytes that are in memory, as many as there happen to be.
+    fn ahead(&self) -> &[u8];
+    /// Passes over bytes that are in memory.
+    fn skip(&mut self, count: usize);
+}
+
+impl ByteRead for &[u8] {
+    fn ahead(&self) -> &[u8] {
+        self
+    }
+    fn skip(&mut self, count: usize) {
+        *self = &self[count..];
+    }
+}
+
+/// Reads a varint of at most 63 bits that is in memory as a whole; `None`, with nothing read, if it is not one.
+#[inline]
+fn read_short_varint<R: ByteRead>(source: &mut R) -> Option<u64> {
+    let mut value = 0;
+    for (i, byte) in source.ahead().iter().take(9).enumerate() {
+        value |= u64::from(byte & 0x7f) << (7 * i);
+        if byte & 0x80 == 0 {
+            if *byte == 0 && i > 0 {
+                return None;
+            }
+            source.skip(i + 1);
+            return Some(value);
+        }
+    }
+    None
+}
+
+/// Reads an unsigned varint of at most `max_bits` bits, at least 64.
+pub fn read_varint<R: ByteRead>(source: &mut R, max_bits: u64) -> Result<Integer, TokenError> {
+    if let Some(short) = read_short_varint(source) {
+        return Ok(Integer::from(short));
+    }
     let mut small = 0u64;
     let mut bits = 0u64;
     let mut large: Vec<u8> = Vec::new();
@@ -354,7 +391,11 @@ fn push_septet(bytes: &mut Vec<u8>, bit: u64, septet: u8) {
 }
 
 /// Reads a signed varint of at most `max_bits` bits.
-pub fn read_signed_varint<R: Read>(source: &mut R, max_bits: u64) -> Result<Integer, TokenError> {
+pub fn read_signed_varint<R: ByteRead>(source: &mut R, max_bits: u64) -> Result<Integer, TokenError> {
+    if let Some(short) = read_short_varint(source) {
+        let half = (short >> 1) as i64;
+        return Ok(Integer::from(if short & 1 == 0 { half } else { -half - 1 }));
+    }
     let value = read_varint(source, max_bits + 1)?;
     if let Some(small) = value.to_u64() {
         let magnitude = i64::try_from(small >> 1).expect("half of a 64-bit number");

@@ -1,6 +1,6 @@
 //! The chain in binary64, with a proved bound of its errors.
 //!
-//! **Error bound.** Let u = 2^-53. A coordinate p/q of a polynomial piece becomes fl(fl(p)·fl(1/q)), off by at most 4u|p/q| (three roundings of relative
+//! **Error bound.** Let u = 2^-53. A coordinate p/q of a polynomial piece becomes fl(fl(p)·fl(1/fl(q))), off by at most 4u|p/q| (four roundings of relative
 //! error u and their products). Halving takes means (a+b)/2 only: a mean of two numbers that are each off by at most e is off by at most e plus the
 //! rounding u·M of one addition (the division by two is exact but for underflow), with M the greatest magnitude of the coefficients, which means never exceed. A halving of degree n
 //! takes at most n means in a row. So after k halvings every coefficient is off by at most (4 + nk)·u·M·(1 + small), and the bound used, (4 + nk)·2u·M, leaves
@@ -100,9 +100,9 @@ impl FloatChain {
             exponent: numbers.weights.first().map_or(0, |w| w.bit_length()),
         };
         let factor = |scale: &Scale| {
-            // Exact divisors allow one multiplication for all coordinates of the piece.
-            let power = scale.odd.is_one() && scale.exponent < 1000;
-            power.then(|| 2f64.powi(-(scale.exponent as i32)))
+            // One division for all coordinates of the piece.
+            let odd = scale.odd.to_i64().filter(|_| scale.exponent < 900);
+            odd.map(|odd| 2f64.powi(-(scale.exponent as i32)) / odd as f64)
         };
         let as_float = |x: &W, scale: &Scale, factor: Option<f64>| match (factor, x.to_i128().map(i64::try_from)) {
             (Some(factor), Some(Ok(small))) => small as f64 * factor,

@@ -4,17 +4,18 @@ use std::io::{self, Read, Write};
 
 use super::super::Document;
 use super::super::block::{self, hexadecimal};
+use super::super::bytes::ByteSource;
 use crate::claim::msd::{Interval, Lower, Upper};
 use crate::claim::tree::{BinaryTokens, TokenSource, token_text};
 use crate::curve::{Curve, Form};
 use crate::number::{Integer, RationalExt, RationalVector};
 
 /// The header of the binary form.
-pub fn header(document: &Document) -> String {
+pub fn header(document: &Document, hash: &[u8; 32]) -> String {
     let mut text = String::new();
     preamble(document, &mut text);
     text.push_str("  \"curve\": \"binary\",\n");
-    statement_and_evidence(document, &mut text);
+    statement_and_evidence(document, hash, &mut text);
     text.push_str(if document.has_tree {
         "    \"tree\": \"binary\",\n"
     } else {
@@ -31,12 +32,12 @@ pub fn write<R: Read, W: Write>(document: &Document, tree: R, out: &mut W) -> io
     text.push_str("  \"curve\": ");
     curve_text(&document.curve, &mut text);
     text.push_str(",\n");
-    statement_and_evidence(document, &mut text);
+    statement_and_evidence(document, &block::curve_sha256(&document.curve), &mut text);
     out.write_all(text.as_bytes())?;
     text.clear();
     if document.has_tree {
         let dimension = document.curve.dimension();
-        let mut tokens = BinaryTokens::new(tree, dimension);
+        let mut tokens = BinaryTokens::new(ByteSource::new(tree), dimension);
         text.push_str("    \"tree\": [");
         let mut first = true;
         while let Some(token) = tokens
@@ -132,7 +133,7 @@ fn point_list(points: &RationalVector, dimension: usize, out: &mut String) {
     out.push_str("\"]]");
 }
 
-fn statement_and_evidence(document: &Document, out: &mut String) {
+fn statement_and_evidence(document: &Document, hash: &[u8; 32], out: &mut String) {
     let statement = &document.statement;
     let lower = match &statement.lower_squared {
         Lower::Infinite => "inf".to_string(),
@@ -144,7 +145,7 @@ fn statement_and_evidence(document: &Document, out: &mut String) {
         .map_or("null".to_string(), |value| string(&value.format()));
     out.push_str(&format!(
         "  \"curve_sha256\": \"{}\",\n",
-        hexadecimal(&block::curve_sha256(&document.curve))
+        hexadecimal(hash)
     ));
     out.push_str(&format!(
         "  \"statement\": {{ \"claim\": \"msd\", \"convention\": \"{}\",\n    \"lower_squared\": \"{lower}\",\n    \"upper_squared\": {upper} }},\n",
