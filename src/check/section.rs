@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::chain::{Chain, OwnedNumbers, Scale};
+use super::chain::{Chain, OwnedNumbers, Scale, convert, convert_one};
 use super::hull::Hull;
 use super::word::Word;
 use crate::claim::msd::{Interval, Side};
@@ -251,12 +251,30 @@ fn restricted<W: Word>(coefficients: &[[W; 3]], start: &W, end: &W, denominator:
         .collect()
 }
 
+fn first_axis<W>(vectors: Vec<[W; 3]>) -> Vec<W> {
+    vectors.into_iter().map(|[x, _, _]| x).collect()
+}
+
 fn on_first_axis<W: Word>(numbers: &[W]) -> Vec<[W; 3]> {
     numbers.iter().map(|x| [x.clone(), W::zero(), W::zero()]).collect()
 }
 
 /// The curve between two local parameters of a piece.
 pub fn section<W: Word>(chain: &Chain, section: &Section) -> Option<HullAndField<W>> {
+    // Mostly 128 bits suffice here, if not for the products that follow.
+    match section_in::<i128>(chain, section) {
+        Some(narrow) => Some(HullAndField {
+            points: narrow.points.iter().map(convert).collect::<Option<_>>()?,
+            weights: narrow.weights.iter().map(convert_one).collect::<Option<_>>()?,
+            fields: narrow.fields.iter().map(convert).collect::<Option<_>>()?,
+            point_scale: narrow.point_scale,
+            field_scale: narrow.field_scale,
+        }),
+        None => section_in(chain, section),
+    }
+}
+
+fn section_in<W: Word>(chain: &Chain, section: &Section) -> Option<HullAndField<W>> {
     let piece = &chain.pieces[section.piece];
     let numbers: OwnedNumbers<W> = chain.numbers_as(section.piece)?;
     let (denominator, over) = numerators(&[&section.start, &section.end]);
@@ -265,16 +283,12 @@ pub fn section<W: Word>(chain: &Chain, section: &Section) -> Option<HullAndField
         W::from_integer(&over[0])?,
         W::from_integer(&over[1])?,
     );
-    let points = restricted(&numbers.points, &start, &end, &b)?;
     let weights = match numbers.weights.is_empty() {
         true => Vec::new(),
-        false => restricted(&on_first_axis(&numbers.weights), &start, &end, &b)?
-            .into_iter()
-            .map(|[w, _, _]| w)
-            .collect(),
+        false => first_axis(restricted(&on_first_axis(&numbers.weights), &start, &end, &b)?),
     };
     Some(HullAndField {
-        points,
+        points: restricted(&numbers.points, &start, &end, &b)?,
         weights,
         point_scale: scaled(&piece.point_scale, &denominator, piece.degree),
         fields: restricted(&numbers.tangents, &start, &end, &b)?,
@@ -284,23 +298,33 @@ pub fn section<W: Word>(chain: &Chain, section: &Section) -> Option<HullAndField
 
 /// The curve and D at a local parameter of a piece.
 pub fn point<W: Word>(chain: &Chain, location: &Location) -> Option<PointAndField<W>> {
+    match point_in::<i128>(chain, location) {
+        Some(narrow) => Some(PointAndField {
+            point: narrow.point.iter().map(convert).collect::<Option<_>>()?,
+            weights: narrow.weights.iter().map(convert_one).collect::<Option<_>>()?,
+            field: convert(&narrow.field)?,
+            point_scale: narrow.point_scale,
+            field_scale: narrow.field_scale,
+        }),
+        None => point_in(chain, location),
+    }
+}
+
+fn point_in<W: Word>(chain: &Chain, location: &Location) -> Option<PointAndField<W>> {
     let piece = &chain.pieces[location.piece];
     let numbers: OwnedNumbers<W> = chain.numbers_as(location.piece)?;
     let (denominator, over) = numerators(&[&location.local]);
     let (b, u) = (W::from_integer(&denominator)?, W::from_integer(&over[0])?);
-    let point = blossom(&numbers.points, &vec![&u; piece.degree], &b)?;
+    let here = |coefficients: &[[W; 3]]| blossom(coefficients, &vec![&u; coefficients.len() - 1], &b);
     let weights = match numbers.weights.is_empty() {
         true => Vec::new(),
-        false => {
-            let [weight, _, _] = blossom(&on_first_axis(&numbers.weights), &vec![&u; piece.degree], &b)?;
-            vec![weight]
-        }
+        false => first_axis(vec![here(&on_first_axis(&numbers.weights))?]),
     };
     Some(PointAndField {
-        point: vec![point],
+        point: vec![here(&numbers.points)?],
         weights,
         point_scale: scaled(&piece.point_scale, &denominator, piece.degree),
-        field: blossom(&numbers.tangents, &vec![&u; piece.tangent_degree], &b)?,
+        field: here(&numbers.tangents)?,
         field_scale: scaled(&piece.tangent_scale, &denominator, piece.tangent_degree),
     })
 }

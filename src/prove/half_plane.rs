@@ -15,29 +15,35 @@ pub struct Rectangle {
 /// Limits on the signs of α and β at ends of the curve: the sign that is allowed besides 0, or 0 for both.
 pub type Signs = [i8; 2];
 
+/// Does αa + βb exceed |α|·errors[0] + |β|·errors[1] on all rectangles, with signs that are allowed?
+fn works(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs, factors: [i64; 2]) -> bool {
+    let [alpha, beta] = factors.map(|factor| factor as f64);
+    let margin = (alpha.abs() * errors[0] + beta.abs() * errors[1]) * 1.000_001;
+    let (of_a, of_b) = (usize::from(alpha < 0.0), usize::from(beta < 0.0));
+    let allowed = (0..2).all(|i| signs[i] == 0 || factors[i] * i64::from(signs[i]) >= 0);
+    let exceeds = |r: &Rectangle| {
+        let (x, y) = (alpha * r.a[of_a], beta * r.b[of_b]);
+        x + y > margin + 4.0 * f64::EPSILON * (x.abs() + y.abs())
+    };
+    allowed && factors != [0, 0] && rectangles.iter().all(exceeds)
+}
+
 /// Integers α, β with αa + βb > |α|·errors[0] + |β|·errors[1] on all rectangles.
 pub fn choose(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs) -> Option<[i64; 2]> {
-    let allowed = |factors: &[i64; 2]| (0..2).all(|i| signs[i] == 0 || factors[i] * i64::from(signs[i]) >= 0);
-    let works = |factors: &[i64; 2]| {
-        let [alpha, beta] = factors.map(|factor| factor as f64);
-        let margin = (alpha.abs() * errors[0] + beta.abs() * errors[1]) * 1.000_001;
-        let (of_a, of_b) = (usize::from(alpha < 0.0), usize::from(beta < 0.0));
-        allowed(factors)
-            && *factors != [0, 0]
-            && rectangles.iter().all(|r| {
-                let (x, y) = (alpha * r.a[of_a], beta * r.b[of_b]);
-                x + y > margin + 4.0 * f64::EPSILON * (x.abs() + y.abs())
-            })
-    };
-    if let Some(factors) = [[1, 0], [-1, 0], [0, 1], [0, -1]].into_iter().find(works) {
-        return Some(factors);
-    }
+    let units = [[1, 0], [-1, 0], [0, 1], [0, -1]].into_iter();
+    let mut units = units.filter(|factors| works(rectangles, errors, signs, *factors));
+    units.next().or_else(|| choose_mixed(rectangles, errors, signs))
+}
+
+/// The same where α = 0 and β = 0 are known not to serve.
+pub fn choose_mixed(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs) -> Option<[i64; 2]> {
     let [alpha, beta] = bisector(rectangles)?;
     let greatest = alpha.abs().max(beta.abs());
     [2u32, 4, 7, 12, 20, 30].into_iter().find_map(|bits| {
         let factor = ((1i64 << bits) - 1) as f64 / greatest;
         let factors = [(alpha * factor).round() as i64, (beta * factor).round() as i64];
-        works(&factors).then_some(factors)
+        let common = num_integer::gcd(factors[0], factors[1]).max(1);
+        works(rectangles, errors, signs, factors).then_some(factors.map(|factor| factor / common))
     })
 }
 
@@ -70,7 +76,7 @@ fn bisector(rectangles: &[Rectangle]) -> Option<[f64; 2]> {
     }
     let (right, left) = span?;
     let norm = |p: [f64; 2]| {
-        let length = p[0].hypot(p[1]);
+        let length = (p[0] * p[0] + p[1] * p[1]).sqrt();
         [p[0] / length, p[1] / length]
     };
     let (right, left) = (norm(right), norm(left));

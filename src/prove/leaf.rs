@@ -2,11 +2,11 @@
 //!
 //! Whatever is returned satisfies its obligation exactly, by the error bounds of the nodes; the checker replays it all the same.
 
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 use super::cone::Cone;
 use super::float_chain::UNIT;
-use super::half_plane::{Rectangle, Signs, choose};
+use super::half_plane::{Rectangle, Signs, choose, choose_mixed};
 use super::node::{Node, Nodes};
 use super::vector::{Vector, dot, from_integers, greatest, norm1, quantised, scale, sub};
 use crate::claim::tree::Leaf;
@@ -258,7 +258,7 @@ pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
     }
     let mut rectangles: SmallVec<[Rectangle; 16]> = SmallVec::new();
     of_v.each_chord(&of_w, |a, b| rectangles.push(Rectangle { a, b }));
-    let factors = choose(&rectangles, errors, signs)?;
+    let factors = choose_mixed(&rectangles, errors, signs)?;
     Some(Leaf::NotNormal(factors.map(Into::into)))
 }
 
@@ -276,30 +276,29 @@ struct ChordProducts {
 
 impl ChordProducts {
     fn new(points_a: &[Vector], points_b: &[Vector], tangents: &[Vector], origin: &Vector) -> Self {
+        let count = tangents.len();
         let products = |points: &[Vector]| {
-            let mut products = Products::new();
+            let mut products = Products::with_capacity(points.len() * count);
+            let mut bounds: SmallVec<[[f64; 2]; 4]> = smallvec![[f64::INFINITY, f64::NEG_INFINITY]; count];
             for point in points {
                 let local = sub(point, origin);
-                products.extend(tangents.iter().map(|tangent| dot(&local, tangent)));
+                for (tangent, bounds) in tangents.iter().zip(bounds.iter_mut()) {
+                    let product = dot(&local, tangent);
+                    *bounds = [bounds[0].min(product), bounds[1].max(product)];
+                    products.push(product);
+                }
             }
-            products
+            (products, bounds)
         };
-        let (of_a, of_b) = (products(points_a), products(points_b));
+        let ((of_a, bounds_a), (of_b, bounds_b)) = (products(points_a), products(points_b));
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-        for v in 0..tangents.len() {
-            let bounds = |products: &Products| {
-                let of_v = products.iter().skip(v).step_by(tangents.len());
-                of_v.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
-                    [low.min(*x), high.max(*x)]
-                })
-            };
-            let (p, q) = (bounds(&of_a), bounds(&of_b));
+        for (p, q) in bounds_a.iter().zip(&bounds_b) {
             range = [range[0].min(p[0] - q[1]), range[1].max(p[1] - q[0])];
         }
         ChordProducts {
             of_a,
             of_b,
-            tangents: tangents.len(),
+            tangents: count,
             range,
         }
     }

@@ -143,10 +143,7 @@ fn statement_and_evidence(document: &Document, hash: &[u8; 32], out: &mut String
         .upper_squared
         .as_ref()
         .map_or("null".to_string(), |value| string(&value.format()));
-    out.push_str(&format!(
-        "  \"curve_sha256\": \"{}\",\n",
-        hexadecimal(hash)
-    ));
+    out.push_str(&format!("  \"curve_sha256\": \"{}\",\n", hexadecimal(hash)));
     out.push_str(&format!(
         "  \"statement\": {{ \"claim\": \"msd\", \"convention\": \"{}\",\n    \"lower_squared\": \"{lower}\",\n    \"upper_squared\": {upper} }},\n",
         statement.convention.name()
