@@ -132,7 +132,7 @@ mod proved {
         Rational::new(1.into(), Integer::from(10).pow(exponent))
     }
 
-    fn certified(curve: &Curve, name: &str, convention: Convention, digits: u32, budget: u64) -> Certified {
+    fn certified<'c>(curve: &'c Curve, name: &str, convention: Convention, digits: u32, budget: u64) -> Certified<'c> {
         let options = Options {
             convention,
             relative_width: tenth_to_the(digits),

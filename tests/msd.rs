@@ -35,7 +35,7 @@ fn planar(pieces: &[&[(&str, &str)]]) -> Curve {
 }
 
 /// Certifies and lets the checker accept what was written, in both forms.
-fn accepted(curve: &Curve, convention: Convention, width: &str, budget: Option<u64>) -> Certified {
+fn accepted<'c>(curve: &'c Curve, convention: Convention, width: &str, budget: Option<u64>) -> Certified<'c> {
     let options = Options {
         convention,
         relative_width: number(width),
@@ -114,7 +114,8 @@ fn degree_eight() {
 fn circles() {
     for (name, diameter) in [("nurbs-circle", "2"), ("nurbs-circle-radius-3-2", "3")] {
         for width in ["1e-1", "1e-3", "1e-6"] {
-            let certified = accepted(&file(name), Convention::Smooth, width, None);
+            let curve = file(name);
+            let certified = accepted(&curve, Convention::Smooth, width, None);
             encloses(&certified, diameter, width);
             let diameter = number(diameter);
             assert_eq!(certified.document.statement.upper_squared, Some(&diameter * &diameter));
@@ -130,7 +131,8 @@ fn circles() {
 #[test]
 fn no_double_normal() {
     for name in ["segment", "parabola", "triangle", "triangle-acute"] {
-        let certified = accepted(&file(name), Convention::Smooth, "1e-12", None);
+        let curve = file(name);
+        let certified = accepted(&curve, Convention::Smooth, "1e-12", None);
         assert_eq!(certified.status, Status::Certified, "{name}");
         assert_eq!(certified.document.statement.lower_squared, Lower::Infinite, "{name}");
         assert_eq!(certified.document.statement.upper_squared, None, "{name}");
@@ -169,9 +171,11 @@ fn corners_coincident_points_and_parallel_sides() {
         "3.5",
         "1e-12",
     );
-    let corner = accepted(&file("corner-150"), Convention::Smooth, "1e-12", None);
+    let curve = file("corner-150");
+    let corner = accepted(&curve, Convention::Smooth, "1e-12", None);
     assert_eq!(corner.status, Status::Certified);
-    let corner = accepted(&file("corner-150"), Convention::Critical, "1e-12", None);
+    let curve = file("corner-150");
+    let corner = accepted(&curve, Convention::Critical, "1e-12", None);
     encloses(&corner, "3.55263453245", "1e-12");
     // An open end over a segment: the nearest point of the other piece is inside it.
     let hook = planar(&[
@@ -191,7 +195,8 @@ fn rational_and_high_degree() {
         "cpij14-experiment-1",
     ] {
         for convention in [Convention::Smooth, Convention::Critical] {
-            let certified = accepted(&file(name), convention, "1e-9", None);
+            let curve = file(name);
+            let certified = accepted(&curve, convention, "1e-9", None);
             assert_eq!(certified.status, Status::Certified, "{name}");
         }
     }
@@ -270,7 +275,8 @@ fn what_touches_or_retraces_is_never_given_a_positive_bound() {
 #[test]
 fn a_cusp_is_named() {
     for convention in [Convention::Smooth, Convention::Critical] {
-        let certified = accepted(&file("cusp"), convention, "1e-12", None);
+        let curve = file("cusp");
+        let certified = accepted(&curve, convention, "1e-12", None);
         assert_eq!(lower(&certified), Some(number("0")));
         let Status::Undecided(why) = &certified.status else {
             panic!("a cusp was certified")

@@ -35,7 +35,9 @@ pub fn write<R: Read, W: Write>(document: &Document, mut tree: R, out: &mut W) -
 }
 
 /// Reads the binary form behind its first eight bytes, up to the tree.
-pub fn read<R: Read>(mut source: ByteSource<R>) -> Result<(Document, BinaryTokens<ByteSource<R>>), FormatError> {
+pub fn read<R: Read>(
+    mut source: ByteSource<R>,
+) -> Result<(Document<'static>, BinaryTokens<ByteSource<R>>), FormatError> {
     let mut length = [0; 4];
     source.read_exact(&mut length)?;
     let length = u32::from_le_bytes(length);

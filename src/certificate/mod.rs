@@ -7,6 +7,7 @@ mod block;
 mod bytes;
 mod json;
 
+use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, Read, Write};
 
@@ -28,7 +29,7 @@ pub enum Encoding {
 
 /// A certificate without its tree.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Document {
+pub struct Document<'c> {
     /// The program that wrote it.
     pub tool: String,
     /// A free text; proves nothing.
@@ -36,7 +37,7 @@ pub struct Document {
     /// How many joints were moved together on reading the curve; proves nothing.
     pub snapped_joints: Option<u64>,
     /// The curve.
-    pub curve: Curve,
+    pub curve: Cow<'c, Curve>,
     /// What is claimed.
     pub statement: Statement,
     /// Why, beside the tree.
@@ -133,7 +134,7 @@ impl<R: Read> TokenSource for Tokens<R> {
 pub const MAX_JSON_BYTES: u64 = 1 << 30;
 
 /// Reads a certificate of either form up to its tree.
-pub fn read<R: Read>(mut source: R) -> Result<(Document, Tokens<R>), FormatError> {
+pub fn read<R: Read>(mut source: R) -> Result<(Document<'static>, Tokens<R>), FormatError> {
     let mut magic = Vec::new();
     source
         .by_ref()

@@ -142,7 +142,7 @@ pub enum Verdict {
     /// Every obligation holds: the statement is true of the curve.
     Accepted {
         /// The document, with curve and statement.
-        document: Box<Document>,
+        document: Box<Document<'static>>,
         /// Leaves of the tree.
         leaves: u64,
     },
@@ -151,7 +151,7 @@ pub enum Verdict {
     /// The file is a certificate, but does not prove its statement.
     Rejected {
         /// The document.
-        document: Box<Document>,
+        document: Box<Document<'static>>,
         /// Why not.
         rejection: Rejection,
     },

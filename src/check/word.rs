@@ -108,9 +108,9 @@ fn full_product(a: i128, b: i128) -> I256 {
     // Four products of 64 bits each; the middle sum is below 3·2^64.
     let low = x0 * y0;
     let cross = x1 * y0;
-    let middle = (low >> 64) + (cross & LOW) + x0 * y1 % (1 << 64);
-    let high = x1 * y1 + (cross >> 64) + (x0 * y1 >> 64) + (middle >> 64);
-    let magnitude = I256::from_words(high as i128, (middle << 64 | low & LOW) as i128);
+    let middle = (low >> 64) + (cross & LOW) + ((x0 * y1) & LOW);
+    let high = x1 * y1 + (cross >> 64) + ((x0 * y1) >> 64) + (middle >> 64);
+    let magnitude = I256::from_words(high as i128, ((middle << 64) | (low & LOW)) as i128);
     if (a < 0) == (b < 0) { magnitude } else { -magnitude }
 }
 

@@ -1,5 +1,6 @@
 //! Certifying the minimum separation distance: bounds from above, then a tree from below, then the certificate.
 
+use std::borrow::Cow;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 
 use tempfile::SpooledTempFile;
@@ -55,11 +56,11 @@ pub enum Status {
 }
 
 /// A certificate and what it says.
-pub struct Certified {
+pub struct Certified<'c> {
     /// How far the proof went.
     pub status: Status,
     /// The document; what it states is proved whatever the status.
-    pub document: Document,
+    pub document: Document<'c>,
     /// Leaves of its tree.
     pub leaves: u64,
     /// The parameters of the shortest double normal found, piece number and local parameter added.
@@ -112,7 +113,7 @@ const IN_MEMORY: usize = 1 << 26;
 /// The program that writes certificates.
 const TOOL: &str = concat!("knotproof ", env!("CARGO_PKG_VERSION"));
 
-impl Certified {
+impl Certified<'_> {
     /// Writes the certificate.
     ///
     /// # Errors
@@ -150,12 +151,12 @@ impl Certified {
 ///
 /// # Errors
 /// [`CertifyError::PointPiece`], and those of the temporary file that holds a large tree.
-pub fn certify(curve: &Curve, options: &Options, progress: &dyn Fn(f64)) -> Result<Certified, CertifyError> {
+pub fn certify<'c>(curve: &'c Curve, options: &Options, progress: &dyn Fn(f64)) -> Result<Certified<'c>, CertifyError> {
     let document = Document {
         tool: TOOL.into(),
         name: options.name.clone(),
         snapped_joints: options.snapped_joints,
-        curve: curve.clone(),
+        curve: Cow::Borrowed(curve),
         statement: Statement {
             convention: options.convention,
             lower_squared: Lower::Finite(Rational::from_integer(0.into())),

@@ -24,7 +24,7 @@ use values::{other_values, pointers};
 /// What became of the mutants of one certificate.
 struct Tally {
     name: String,
-    original: Document,
+    original: Document<'static>,
     known: [Enclosure; 2],
     accepted: Vec<Vec<u8>>,
     rejected: Vec<Vec<u8>>,

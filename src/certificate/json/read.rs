@@ -1,5 +1,7 @@
 //! From the texts of the JSON form to a document.
 
+use std::borrow::Cow;
+
 use serde::Deserialize;
 
 use super::super::block::{self, hexadecimal};
@@ -143,7 +145,7 @@ type UpperTexts = Box<dyn FnOnce(usize) -> Parsed<Option<Upper>>>;
 
 impl Header {
     /// The document about `curve`, whose block has the hash `actual`.
-    pub fn into_document(self, curve: Curve, actual: &[u8; 32]) -> Parsed<Document> {
+    pub fn into_document(self, curve: Curve, actual: &[u8; 32]) -> Parsed<Document<'static>> {
         let actual = hexadecimal(actual);
         if self.stated_hash != actual {
             return Err(FormatError::Hash {
@@ -156,7 +158,7 @@ impl Header {
             tool: self.tool,
             name: self.name,
             snapped_joints: self.snapped_joints,
-            curve,
+            curve: Cow::Owned(curve),
             statement: self.statement,
             evidence: Evidence { grid: self.grid, upper },
             has_tree: self.has_tree,
@@ -288,7 +290,7 @@ fn parse<'a, T: Deserialize<'a>>(text: &'a [u8]) -> Parsed<T> {
 }
 
 /// Reads the JSON form; the tokens come back as texts.
-pub fn read(text: &[u8]) -> Parsed<(Document, Vec<String>)> {
+pub fn read(text: &[u8]) -> Parsed<(Document<'static>, Vec<String>)> {
     let Object(raw): Object<RawDocument<Object<RawCurve>, Vec<String>>> = parse(text)?;
     let (header, Object(raw_curve), tree) = header_of(raw)?;
     let curve = curve(raw_curve)?;

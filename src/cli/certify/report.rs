@@ -30,7 +30,7 @@ pub struct Report<'r> {
     /// The curve.
     pub file: &'r CurveFile,
     /// What was proved.
-    pub certified: &'r Certified,
+    pub certified: &'r Certified<'r>,
     /// The relative width asked for, as it was written.
     pub width_asked: &'r str,
     /// How long the search, the check and the writing took.
