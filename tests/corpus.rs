@@ -197,19 +197,16 @@ mod proved {
             read_curve(std::fs::read(path).expect(name)).expect(name).curve
         };
         for name in ["mp06-figure-1", "trefoil-24", "nurbs-ellipse", "square"] {
-            let mut found = certified(&curve(&format!("{name}.json")), name, Convention::Smooth, 12, 20_000);
+            let curve = curve(&format!("{name}.json"));
+            let mut found = certified(&curve, name, Convention::Smooth, 12, 20_000);
             write(&mut found, Encoding::Binary, name);
         }
-        let mut narrow = certified(
-            &curve("mp06-figure-1.json"),
-            "mp06-figure-1, 30 digits",
-            Convention::Smooth,
-            30,
-            20_000,
-        );
+        let mp06 = curve("mp06-figure-1.json");
+        let mut narrow = certified(&mp06, "mp06-figure-1, 30 digits", Convention::Smooth, 30, 20_000);
         write(&mut narrow, Encoding::Json, "mp06-figure-1-30-digits");
+        let spatial = trace();
         let mut trace = certified(
-            &trace(),
+            &spatial,
             "200 pieces like the trace of a protein",
             Convention::Smooth,
             12,
