@@ -189,6 +189,10 @@ fn corners_coincident_points_and_parallel_sides() {
 #[test]
 fn rational_and_high_degree() {
     for name in [
+        "planar-degree-4",
+        "closed-degree-5",
+        "space-degree-6",
+        "space-degree-7",
         "nurbs-space",
         "helix-degree-9",
         "unclamped-periodic",
@@ -200,6 +204,17 @@ fn rational_and_high_degree() {
             assert_eq!(certified.status, Status::Certified, "{name}");
         }
     }
+}
+
+#[test]
+fn a_chain_of_two_thousand_pieces() {
+    // The value by elimination, piece pair by piece pair (docs/BENCHMARKS.md).
+    let curve = file("calpha-2000");
+    encloses(
+        &accepted(&curve, Convention::Smooth, "1e-12", None),
+        "3.19932491312631486768741081874",
+        "1e-12",
+    );
 }
 
 #[test]
