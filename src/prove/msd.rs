@@ -26,7 +26,7 @@ pub struct Options {
     pub convention: Convention,
     /// How far apart the bounds of σ may be, relative to the upper one; above 0 and below 1.
     pub relative_width: Rational,
-    /// How many leaves the tree may have; `None` for 2,000,000 and 64 for each piece.
+    /// How many leaves the tree may have; `None` for 500,000 and 64 for each piece.
     pub budget: Option<u64>,
     /// A name to put into the certificate.
     pub name: Option<String>,
@@ -268,7 +268,7 @@ enum Attempt {
 impl Work<'_> {
     fn budget(&self) -> u64 {
         let pieces = self.curve.context.chain.count() as u64;
-        self.options.budget.unwrap_or(2_000_000 + 64 * pieces)
+        self.options.budget.unwrap_or(500_000 + 64 * pieces)
     }
 
     fn run(&mut self) -> Result<Found, CertifyError> {

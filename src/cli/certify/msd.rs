@@ -34,7 +34,7 @@ pub struct Arguments {
     /// How far apart the bounds may be, relative to the upper one: a decimal or a fraction from 1e-30 to 1e-1.
     #[arg(long, value_name = "WIDTH", default_value = "1e-12", allow_hyphen_values = true, value_parser = parse_width)]
     rel_width: Width,
-    /// How many leaves the proof may have at most [default: 2,000,000 and 64 for each piece]
+    /// How many leaves the proof may have at most [default: 500,000 and 64 for each piece]
     #[arg(long, value_name = "LEAVES", value_parser = clap::value_parser!(u64).range(1..))]
     budget: Option<u64>,
     /// How many threads search; the certificate does not depend on it [default: one for each core]
