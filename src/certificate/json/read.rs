@@ -43,7 +43,7 @@ fn integer(text: &Text, place: &str) -> Parsed<Integer> {
 }
 
 fn shortened(text: &str) -> String {
-    text.chars().take(60).collect()
+    text.chars().take(64).collect()
 }
 
 fn interval(texts: &[Text; 2], place: &str) -> Parsed<Interval> {
