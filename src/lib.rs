@@ -33,7 +33,8 @@
 //! certified.write_checked(Encoding::Json, &mut certificate)?;
 //!
 //! let Verdict::Accepted { document, .. } = check(certificate.get_ref().as_slice()) else { panic!("not accepted") };
-//! let (Lower::Finite(lower), Some(upper)) = (&document.statement.lower_squared, &document.statement.upper_squared) else {
+//! let statement = &document.claim.msd().expect("the claim that was made").statement;
+//! let (Lower::Finite(lower), Some(upper)) = (&statement.lower_squared, &statement.upper_squared) else {
 //!     panic!("bounds on both sides were expected")
 //! };
 //! assert_eq!(sqrt_decimal_down(lower, 11), "0.44267517037");

@@ -153,7 +153,7 @@ mod proved {
     }
 
     fn says_something(certified: &Certified) -> bool {
-        let statement = &certified.document.statement;
+        let statement = &certified.document.claim.statement;
         let zero = matches!(&statement.lower_squared, Lower::Finite(lower) if lower.numer().is_zero());
         !zero || statement.upper_squared.is_some()
     }

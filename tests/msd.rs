@@ -50,7 +50,7 @@ fn accepted<'c>(curve: &'c Curve, convention: Convention, width: &str, budget: O
 }
 
 fn lower(certified: &Certified) -> Option<Rational> {
-    match &certified.document.statement.lower_squared {
+    match &certified.document.claim.statement.lower_squared {
         Lower::Infinite => None,
         Lower::Finite(lower) => Some(lower.clone()),
     }
@@ -61,7 +61,7 @@ fn encloses(certified: &Certified, sigma: &str, width: &str) {
     assert_eq!(certified.status, Status::Certified);
     let (low, high) = (
         lower(certified).unwrap(),
-        certified.document.statement.upper_squared.clone().unwrap(),
+        certified.document.claim.statement.upper_squared.clone().unwrap(),
     );
     // A decimal that is cut off is at most one unit of its last place below σ.
     let from = number(sigma);
@@ -118,7 +118,10 @@ fn circles() {
             let certified = accepted(&curve, Convention::Smooth, width, None);
             encloses(&certified, diameter, width);
             let diameter = number(diameter);
-            assert_eq!(certified.document.statement.upper_squared, Some(&diameter * &diameter));
+            assert_eq!(
+                certified.document.claim.statement.upper_squared,
+                Some(&diameter * &diameter)
+            );
         }
     }
     encloses(
@@ -134,8 +137,12 @@ fn no_double_normal() {
         let curve = file(name);
         let certified = accepted(&curve, Convention::Smooth, "1e-12", None);
         assert_eq!(certified.status, Status::Certified, "{name}");
-        assert_eq!(certified.document.statement.lower_squared, Lower::Infinite, "{name}");
-        assert_eq!(certified.document.statement.upper_squared, None, "{name}");
+        assert_eq!(
+            certified.document.claim.statement.lower_squared,
+            Lower::Infinite,
+            "{name}"
+        );
+        assert_eq!(certified.document.claim.statement.upper_squared, None, "{name}");
     }
 }
 
@@ -240,7 +247,7 @@ fn a_curve_that_crosses_itself_has_distance_zero() {
             assert_eq!(certified.status, Status::Certified, "curve {i}");
             assert_eq!(lower(&certified).unwrap(), number("0"), "curve {i}");
             assert_eq!(
-                certified.document.statement.upper_squared,
+                certified.document.claim.statement.upper_squared,
                 Some(number("0")),
                 "curve {i}"
             );
@@ -311,7 +318,7 @@ fn a_small_budget_still_gives_a_proved_interval() {
         assert!(certified.leaves <= budget);
         let bound = lower(&certified).unwrap();
         assert!(bound >= last && bound < &sigma * &sigma);
-        assert!(certified.document.statement.upper_squared.clone().unwrap() > &sigma * &sigma);
+        assert!(certified.document.claim.statement.upper_squared.clone().unwrap() > &sigma * &sigma);
         last = bound;
     }
     assert!(last > number("0.1"));

@@ -150,7 +150,12 @@ fn proved(curve: &Curve, convention: Convention, threads: usize) -> (Vec<u8>, St
 
 fn statement(bytes: &[u8]) -> Statement {
     match check(bytes) {
-        Verdict::Accepted { document, .. } => document.statement,
+        Verdict::Accepted { document, .. } => document
+            .claim
+            .msd()
+            .expect("a certificate of the claim msd")
+            .statement
+            .clone(),
         Verdict::Rejected { rejection, .. } => panic!("rejected: {rejection}"),
         Verdict::Malformed(error) => panic!("malformed: {error}"),
     }

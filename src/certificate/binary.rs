@@ -6,6 +6,7 @@ use super::block;
 use super::bytes::ByteSource;
 use super::json;
 use super::{Document, FormatError};
+use crate::claim::AsClaim;
 use crate::claim::tree::BinaryTokens;
 
 /// The first eight bytes.
@@ -14,9 +15,9 @@ pub const MAGIC: &[u8] = b"KNOTCRT1";
 const MAX_HEADER: u32 = 1 << 24;
 
 /// Writes the binary form; `tree` holds the tokens.
-pub fn write<R: Read, W: Write>(document: &Document, mut tree: R, out: &mut W) -> io::Result<()> {
+pub fn write<C: AsClaim, R: Read, W: Write>(document: &Document<C>, mut tree: R, out: &mut W) -> io::Result<()> {
     let curve = block::bytes(&document.curve);
-    let header = json::header(document, &block::sha256(&curve));
+    let header = json::header(document, &block::sha256(&curve))?;
     let length = u32::try_from(header.len()).ok().filter(|length| *length <= MAX_HEADER);
     let length = length.ok_or_else(|| {
         io::Error::new(
@@ -26,9 +27,9 @@ pub fn write<R: Read, W: Write>(document: &Document, mut tree: R, out: &mut W) -
     })?;
     out.write_all(MAGIC)?;
     out.write_all(&length.to_le_bytes())?;
-    out.write_all(header.as_bytes())?;
+    out.write_all(&header)?;
     out.write_all(&curve)?;
-    if document.has_tree {
+    if document.has_tree() {
         io::copy(&mut tree, out)?;
     }
     Ok(())
@@ -56,7 +57,7 @@ pub fn read<R: Read>(
     source.start_hash();
     let curve = block::read(&mut source)?;
     let actual = source.end_hash();
-    let document = header.into_document(curve, &actual)?;
+    let (document, _) = header.into_document(curve, &actual)?;
     let dimension = document.curve.dimension();
     Ok((document, BinaryTokens::new(source, dimension)))
 }

@@ -11,8 +11,8 @@ use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, Read, Write};
 
-use crate::claim::msd::{Evidence, Statement};
 use crate::claim::tree::{BinaryTokens, Token, TokenError, TokenSource, parse_token};
+use crate::claim::{AsClaim, Claim, ClaimRef};
 use crate::curve::Curve;
 use bytes::ByteSource;
 
@@ -27,9 +27,9 @@ pub enum Encoding {
     Binary,
 }
 
-/// A certificate without its tree.
+/// A certificate without its tree, about one claim or, as read, any.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Document<'c> {
+pub struct Document<'c, C = Claim> {
     /// The program that wrote it.
     pub tool: String,
     /// A free text; proves nothing.
@@ -38,12 +38,8 @@ pub struct Document<'c> {
     pub snapped_joints: Option<u64>,
     /// The curve.
     pub curve: Cow<'c, Curve>,
-    /// What is claimed.
-    pub statement: Statement,
-    /// Why, beside the tree.
-    pub evidence: Evidence,
-    /// Is there a tree?
-    pub has_tree: bool,
+    /// What is claimed, and why.
+    pub claim: C,
 }
 
 /// Why a file is not a certificate.
@@ -154,8 +150,22 @@ pub fn read<R: Read>(mut source: R) -> Result<(Document<'static>, Tokens<R>), Fo
     Ok((document, Tokens::Json(texts.into_iter(), dimension)))
 }
 
+impl<C: AsClaim> Document<'_, C> {
+    fn has_tree(&self) -> bool {
+        matches!(self.claim.as_claim(), ClaimRef::Msd(content) if content.has_tree)
+    }
+}
+
 /// Writes a certificate; `tree` holds its tokens in their binary spelling, and is not read if the document has no tree.
-pub fn write<R: Read, W: Write>(document: &Document, tree: R, encoding: Encoding, out: &mut W) -> io::Result<()> {
+///
+/// # Errors
+/// Those of `tree` and `out`; in the binary form, a header above 16 MiB.
+pub fn write<C: AsClaim, R: Read, W: Write>(
+    document: &Document<C>,
+    tree: R,
+    encoding: Encoding,
+    out: &mut W,
+) -> io::Result<()> {
     match encoding {
         Encoding::Json => json::write(document, tree, out),
         Encoding::Binary => binary::write(document, tree, out),

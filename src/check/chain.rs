@@ -6,6 +6,7 @@
 
 use std::cmp::Ordering;
 
+use super::blossom::interval_values;
 use super::word::{Word, combine, dot, widening};
 use crate::curve::{BSpline, Bezier, Curve, Form};
 use crate::number::{Integer, RationalVector};
@@ -514,13 +515,8 @@ fn rational_field<W: Word>(points: &[[W; 3]], weights: &[W]) -> Option<Vec<[W; 3
         .collect()
 }
 
-/// Homogeneous Bézier points (and weights) of every non-empty knot interval, by the blossom (FORMAT §3).
-///
-/// In integers: in round r all values of an interval are brought over the least common multiple of that round's knot differences,
-/// which depends on the interval alone; so the p+1 blossom values of an interval have one denominator.
+/// Homogeneous Bézier points (and weights) of every non-empty knot interval (FORMAT §3).
 fn blossom_pieces(spline: &BSpline, dimension: usize) -> Vec<(RationalVector, bool)> {
-    let p = spline.degree();
-    let knots = spline.knots().numerators();
     let weights = spline.weights();
     let stride = dimension + usize::from(weights.is_some());
     let count = spline.points().len() / dimension;
@@ -545,40 +541,10 @@ fn blossom_pieces(spline: &BSpline, dimension: usize) -> Vec<(RationalVector, bo
         None => spline.points().denominator().clone(),
         Some(weights) => spline.points().denominator() * weights.denominator(),
     };
-    let mut pieces = Vec::new();
-    for j in p..count {
-        if knots[j] == knots[j + 1] {
-            continue;
-        }
-        // Knot differences are differences of numerators: their common denominator cancels in λ.
-        let difference = |i: usize, r: usize| &knots[i + 1 + j - r] - &knots[i + j - p];
-        let multiples: Vec<Integer> = (1..=p)
-            .map(|r| (r..=p).fold(Integer::from(1), |lcm, i| lcm.lcm(&difference(i, r))))
-            .collect();
-        let shares: Vec<Vec<Integer>> = (1..=p)
-            .map(|r| (r..=p).map(|i| multiples[r - 1].div_exact(&difference(i, r))).collect())
-            .collect();
-        let mut values = Vec::with_capacity((p + 1) * stride);
-        for k in 0..=p {
-            let mut d: Vec<Integer> = homogeneous[(j - p) * stride..(j + 1) * stride].to_vec();
-            for r in 1..=p {
-                let argument = if r <= p - k { &knots[j] } else { &knots[j + 1] };
-                for i in (r..=p).rev() {
-                    let share = &shares[r - 1][i - r];
-                    let before = (&knots[i + 1 + j - r] - argument) * share;
-                    let after = (argument - &knots[i + j - p]) * share;
-                    for axis in 0..stride {
-                        d[i * stride + axis] = &before * &d[(i - 1) * stride + axis] + &after * &d[i * stride + axis];
-                    }
-                }
-            }
-            values.extend_from_slice(&d[p * stride..]);
-        }
-        let whole = multiples
-            .iter()
-            .fold(denominator.clone(), |product, multiple| product * multiple);
-        let values = RationalVector::from_parts(values, whole).expect("knot differences are positive");
-        pieces.push((values, weights.is_some()));
-    }
-    pieces
+    interval_values(spline, &homogeneous, stride)
+        .map(|(values, multiple)| {
+            let values = RationalVector::from_parts(values, &denominator * multiple);
+            (values.expect("knot differences are positive"), weights.is_some())
+        })
+        .collect()
 }

@@ -2,9 +2,11 @@
 //!
 //! It uses the number types, the curve's data, the claim's data and the certificate reader, and nothing of the prover.
 
+pub mod blossom;
 pub mod boxes;
 pub mod chain;
 pub mod cover;
+pub mod domain;
 pub mod element;
 pub mod hull;
 mod msd;
@@ -18,6 +20,8 @@ use std::fmt;
 use std::io::Read;
 
 use crate::certificate::{self, Document, FormatError};
+use crate::claim::Claim;
+use domain::sign::DomainError;
 pub use msd::check_msd;
 pub use rule::Failure;
 
@@ -42,6 +46,8 @@ pub enum Place {
         /// Second node.
         b: String,
     },
+    /// The evidence of the claim `domain`.
+    Evidence,
     /// Between the tokens.
     Token {
         /// Number of the token, from 0.
@@ -84,6 +90,8 @@ pub enum Reason {
     TokensLeft,
     /// A token that cannot be read.
     Token(String),
+    /// Moving points, an interval or a box that the curve does not have.
+    Domain(DomainError),
 }
 
 /// Why a well-formed certificate is not accepted.
@@ -102,6 +110,7 @@ impl fmt::Display for Place {
             Place::Curve => f.write_str("curve"),
             Place::Upper { rule } => write!(f, "upper bound, rule {rule}"),
             Place::Pair { token, a, b } => write!(f, "tree, token {token}, pair ({a}; {b})"),
+            Place::Evidence => f.write_str("evidence"),
             Place::Token { number } => write!(f, "tree, token {number}"),
         }
     }
@@ -124,6 +133,7 @@ impl fmt::Display for Reason {
             Reason::TokensMissing => f.write_str("the tokens end before the tree does"),
             Reason::TokensLeft => f.write_str("tokens left over when the tree is complete"),
             Reason::Token(what) => f.write_str(what),
+            Reason::Domain(error) => error.fmt(f),
         }
     }
 }
@@ -143,7 +153,7 @@ pub enum Verdict {
     Accepted {
         /// The document, with curve and statement.
         document: Box<Document<'static>>,
-        /// Leaves of the tree.
+        /// Leaves of the tree, if the claim has one, else 0.
         leaves: u64,
     },
     /// The file is not a certificate.
@@ -164,7 +174,11 @@ pub fn check<R: Read>(source: R) -> Verdict {
         Err(error) => return Verdict::Malformed(error),
     };
     let document = Box::new(document);
-    match check_msd(&document, &mut tokens) {
+    let outcome = match &document.claim {
+        Claim::Msd(content) => check_msd(&document.curve, content, &mut tokens),
+        Claim::Domain(content) => domain::check_domain(&document.curve, content).map(|()| 0),
+    };
+    match outcome {
         Ok(leaves) => Verdict::Accepted { document, leaves },
         Err(rejection) => Verdict::Rejected { document, rejection },
     }

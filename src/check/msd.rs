@@ -5,26 +5,26 @@ use super::cover::{Context, replay};
 use super::rule::{critical, crossing, miranda, root};
 use super::word::widening;
 use super::{Place, Reason, Rejection};
-use crate::certificate::Document;
-use crate::claim::msd::{Convention, Lower, Statement, Upper};
+use crate::claim::msd::{Content, Convention, Lower, Statement, Upper};
 use crate::claim::tree::TokenSource;
+use crate::curve::Curve;
 use crate::number::Rational;
 
 /// The largest grid exponent.
 const MAX_GRID: u32 = 100_000;
 
-/// Checks a document and its tokens; returns the number of leaves.
-pub fn check_msd<S: TokenSource>(document: &Document, tokens: &mut S) -> Result<u64, Rejection> {
-    let statement = &document.statement;
-    consistent(document)?;
-    let chain = Chain::new(&document.curve).map_err(|piece| Rejection {
+/// Checks statement and evidence about a curve, and the tree's tokens; returns the number of leaves.
+pub fn check_msd<S: TokenSource>(curve: &Curve, content: &Content, tokens: &mut S) -> Result<u64, Rejection> {
+    let statement = &content.statement;
+    consistent(content)?;
+    let chain = Chain::new(curve).map_err(|piece| Rejection {
         place: Place::Curve,
         reason: Reason::PointPiece { piece },
     })?;
-    if let (Some(rule), Some(upper_squared)) = (&document.evidence.upper, &statement.upper_squared) {
+    if let (Some(rule), Some(upper_squared)) = (&content.evidence.upper, &statement.upper_squared) {
         upper(&chain, rule, statement.convention, upper_squared)?;
     }
-    if !document.has_tree {
+    if !content.has_tree {
         return match tokens.next_token() {
             Ok(None) => Ok(0),
             _ => Err(Rejection {
@@ -33,16 +33,16 @@ pub fn check_msd<S: TokenSource>(document: &Document, tokens: &mut S) -> Result<
             }),
         };
     }
-    let context = Context::new(&chain, statement.convention, document.evidence.grid);
+    let context = Context::new(&chain, statement.convention, content.evidence.grid);
     replay(&context, &statement.lower_squared, tokens).map_err(|rejection| *rejection)
 }
 
-fn consistent(document: &Document) -> Result<(), Rejection> {
+fn consistent(content: &Content) -> Result<(), Rejection> {
     let Statement {
         lower_squared,
         upper_squared,
         ..
-    } = &document.statement;
+    } = &content.statement;
     let fail = |reason| {
         Err(Rejection {
             place: Place::Statement,
@@ -55,13 +55,13 @@ fn consistent(document: &Document) -> Result<(), Rejection> {
         _ => {}
     }
     let zero = matches!(lower_squared, Lower::Finite(lower) if lower.numer().is_zero());
-    if zero == document.has_tree {
+    if zero == content.has_tree {
         return fail(Reason::TreePresence);
     }
-    if upper_squared.is_some() != document.evidence.upper.is_some() {
+    if upper_squared.is_some() != content.evidence.upper.is_some() {
         return fail(Reason::UpperPresence);
     }
-    if document.evidence.grid > MAX_GRID {
+    if content.evidence.grid > MAX_GRID {
         return fail(Reason::Grid);
     }
     Ok(())

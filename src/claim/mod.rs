@@ -1,4 +1,68 @@
 //! Claims: statements and their evidence, as plain data. Nothing here computes.
 
+pub mod domain;
 pub mod msd;
 pub mod tree;
+
+/// What a certificate says and why, of one of the claims.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Claim {
+    /// The minimum separation distance.
+    Msd(msd::Content),
+    /// The convex domain of a control point.
+    Domain(domain::Content),
+}
+
+/// A borrowed [`Claim`].
+#[derive(Clone, Copy, Debug)]
+pub enum ClaimRef<'a> {
+    /// The minimum separation distance.
+    Msd(&'a msd::Content),
+    /// The convex domain of a control point.
+    Domain(&'a domain::Content),
+}
+
+/// The content of a certificate, of one claim or of any.
+pub trait AsClaim {
+    /// Which claim it is.
+    fn as_claim(&self) -> ClaimRef<'_>;
+}
+
+impl AsClaim for Claim {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        match self {
+            Claim::Msd(content) => ClaimRef::Msd(content),
+            Claim::Domain(content) => ClaimRef::Domain(content),
+        }
+    }
+}
+
+impl AsClaim for msd::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Msd(self)
+    }
+}
+
+impl AsClaim for domain::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Domain(self)
+    }
+}
+
+impl Claim {
+    /// The content of the claim `msd`, if it is that.
+    pub fn msd(&self) -> Option<&msd::Content> {
+        match self {
+            Claim::Msd(content) => Some(content),
+            Claim::Domain(_) => None,
+        }
+    }
+
+    /// The content of the claim `domain`, if it is that.
+    pub fn domain(&self) -> Option<&domain::Content> {
+        match self {
+            Claim::Domain(content) => Some(content),
+            Claim::Msd(_) => None,
+        }
+    }
+}

@@ -57,6 +57,17 @@ pub struct Evidence {
     pub upper: Option<Upper>,
 }
 
+/// Statement and evidence; the tree itself is streamed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Content {
+    /// What is claimed.
+    pub statement: Statement,
+    /// Why, beside the tree.
+    pub evidence: Evidence,
+    /// Is there a tree?
+    pub has_tree: bool,
+}
+
 /// A closed parameter interval of the chain.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Interval {

@@ -5,9 +5,11 @@ use std::fmt::Write;
 use clap::Args;
 use knotproof::certificate::{Document, FormatError, curve_sha256};
 use knotproof::check::{Verdict, check};
+use knotproof::claim::Claim;
 use serde::Serialize;
 
 use super::bounds::{Bounds, in_words, leaves_in_words};
+use super::domain_words::{self, DomainLine};
 use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
 use super::output::{complain, say, say_json};
@@ -70,13 +72,21 @@ enum Outcome {
 
 /// An accepted statement.
 #[derive(Serialize)]
-struct StatementLine {
-    claim: &'static str,
-    convention: &'static str,
-    #[serde(flatten)]
-    bounds: Bounds,
-    #[serde(skip)]
-    words: String,
+#[serde(tag = "claim", rename_all = "snake_case")]
+enum StatementLine {
+    Msd {
+        convention: &'static str,
+        #[serde(flatten)]
+        bounds: Bounds,
+        #[serde(skip)]
+        words: String,
+    },
+    Domain {
+        #[serde(flatten)]
+        line: DomainLine,
+        #[serde(skip)]
+        words: String,
+    },
 }
 
 /// Runs the subcommand.
@@ -153,11 +163,16 @@ fn judge(input: &Input, wanted: Option<&Wanted>) -> Result<Outcome, Failure> {
 }
 
 fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
-    let statement = StatementLine {
-        claim: "msd",
-        convention: document.statement.convention.name(),
-        bounds: Bounds::new(&document.statement),
-        words: in_words(&document.statement),
+    let statement = match &document.claim {
+        Claim::Msd(content) => StatementLine::Msd {
+            convention: content.statement.convention.name(),
+            bounds: Bounds::new(&content.statement),
+            words: in_words(&content.statement),
+        },
+        Claim::Domain(content) => StatementLine::Domain {
+            line: DomainLine::new(&content.statement),
+            words: domain_words::in_words(&content.statement),
+        },
     };
     Outcome::Accepted {
         verdict: "accepted",
@@ -198,13 +213,16 @@ impl Outcome {
                 leaves,
                 curve_sha256,
                 ..
-            } => format!(
-                "accepted: {input}: {} (minimum separation distance, {} convention; curve {}…, {})\n",
-                statement.words,
-                statement.convention,
-                &curve_sha256[..12],
-                leaves_in_words(*leaves),
-            ),
+            } => {
+                let curve = &curve_sha256[..12];
+                match statement.as_ref() {
+                    StatementLine::Msd { convention, words, .. } => format!(
+                        "accepted: {input}: {words} (minimum separation distance, {convention} convention; curve {curve}…, {})\n",
+                        leaves_in_words(*leaves),
+                    ),
+                    StatementLine::Domain { words, .. } => format!("accepted: {input}: {words} (curve {curve}…)\n"),
+                }
+            }
             Outcome::Rejected {
                 place: Some(place),
                 reason,

@@ -15,7 +15,7 @@ use crate::certificate::{Document, Encoding, write};
 use crate::check::chain::Chain;
 use crate::check::cover::Context;
 use crate::check::{Verdict, check};
-use crate::claim::msd::{Convention, Evidence, Lower, Statement};
+use crate::claim::msd::{Content, Convention, Evidence, Lower, Statement};
 use crate::curve::Curve;
 use crate::number::{Integer, Rational, RationalExt};
 
@@ -60,7 +60,7 @@ pub struct Certified<'c> {
     /// How far the proof went.
     pub status: Status,
     /// The document; what it states is proved whatever the status.
-    pub document: Document<'c>,
+    pub document: Document<'c, Content>,
     /// Leaves of its tree.
     pub leaves: u64,
     /// The parameters of the shortest double normal found, piece number and local parameter added.
@@ -139,7 +139,14 @@ impl Certified<'_> {
         }
         file.seek(SeekFrom::Start(0))?;
         match check(&mut *file) {
-            Verdict::Accepted { document, .. } if document.statement == self.document.statement => Ok(()),
+            Verdict::Accepted { document, .. }
+                if document
+                    .claim
+                    .msd()
+                    .is_some_and(|content| content.statement == self.document.claim.statement) =>
+            {
+                Ok(())
+            }
             Verdict::Accepted { .. } => Err(CertifyError::Refuted("another statement was read back".into())),
             Verdict::Malformed(error) => Err(CertifyError::Refuted(error.to_string())),
             Verdict::Rejected { rejection, .. } => Err(CertifyError::Refuted(rejection.to_string())),
@@ -157,13 +164,15 @@ pub fn certify<'c>(curve: &'c Curve, options: &Options, progress: &dyn Fn(f64)) 
         name: options.name.clone(),
         snapped_joints: options.snapped_joints,
         curve: Cow::Borrowed(curve),
-        statement: Statement {
-            convention: options.convention,
-            lower_squared: Lower::Finite(Rational::from_integer(0.into())),
-            upper_squared: None,
+        claim: Content {
+            statement: Statement {
+                convention: options.convention,
+                lower_squared: Lower::Finite(Rational::from_integer(0.into())),
+                upper_squared: None,
+            },
+            evidence: Evidence { grid: 0, upper: None },
+            has_tree: false,
         },
-        evidence: Evidence { grid: 0, upper: None },
-        has_tree: false,
     };
     let nothing = |status| Certified {
         status,
@@ -202,17 +211,17 @@ pub fn certify<'c>(curve: &'c Curve, options: &Options, progress: &dyn Fn(f64)) 
     };
     let found = work.run()?;
     let mut certified = nothing(found.status);
-    certified.document.statement.lower_squared = found.lower;
-    certified.document.evidence.grid = grid;
+    certified.document.claim.statement.lower_squared = found.lower;
+    certified.document.claim.evidence.grid = grid;
     if let Some(upper) = found.upper {
-        certified.document.statement.upper_squared = Some(upper.squared);
-        certified.document.evidence.upper = Some(upper.rule);
+        certified.document.claim.statement.upper_squared = Some(upper.squared);
+        certified.document.claim.evidence.upper = Some(upper.rule);
         certified.at = Some(upper.at);
     }
     if let Some((tree, leaves)) = found.tree {
         certified.tree = tree;
         certified.leaves = leaves;
-        certified.document.has_tree = true;
+        certified.document.claim.has_tree = true;
     }
     Ok(certified)
 }

@@ -1,7 +1,6 @@
 //! What is true of a curve, found without the certificate.
 
-use knotproof::certificate::Document;
-use knotproof::claim::msd::{Convention, Lower};
+use knotproof::claim::msd::{Convention, Lower, Statement};
 use knotproof::curve::{Curve, Form};
 use knotproof::number::Rational;
 use knotproof::prove::msd::{Options, certify};
@@ -53,7 +52,11 @@ pub fn recomputed(curve: &Curve, convention: Convention) -> Enclosure {
         budget: Some(3000),
         ..Options::default()
     };
-    let found = certify(curve, &options, &|_| ()).expect("certifies").document.statement;
+    let found = certify(curve, &options, &|_| ())
+        .expect("certifies")
+        .document
+        .claim
+        .statement;
     let lower = match found.lower_squared {
         Lower::Infinite => None,
         Lower::Finite(lower) => Some(lower),
@@ -65,13 +68,13 @@ pub fn recomputed(curve: &Curve, convention: Convention) -> Enclosure {
 }
 
 /// Is the statement compatible with what is known of σ²? A lower bound above a known upper one is wrong, and so is the reverse.
-pub fn is_true(document: &Document, known: &Enclosure) -> bool {
-    let lower_holds = match (&document.statement.lower_squared, &known.upper) {
+pub fn is_true(statement: &Statement, known: &Enclosure) -> bool {
+    let lower_holds = match (&statement.lower_squared, &known.upper) {
         (Lower::Infinite, Some(_)) => false,
         (Lower::Finite(lower), Some(upper)) => lower <= upper,
         (_, None) => true,
     };
-    let upper_holds = match (&document.statement.upper_squared, &known.lower) {
+    let upper_holds = match (&statement.upper_squared, &known.lower) {
         (Some(upper), Some(lower)) => upper >= lower,
         (Some(_), None) => false,
         (None, _) => true,

@@ -1,5 +1,8 @@
-//! The JSON form, and the header of the binary form (FORMAT §4).
+//! The JSON form, and the header of the binary form (FORMAT §4, §9).
 
+mod domain;
+mod msd;
+mod numbers;
 mod raw;
 mod read;
 mod write;

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use serde::Deserialize;
 use serde::de::{self, Deserializer, Visitor};
+use serde_json::value::RawValue;
 
 /// A JSON string, borrowed where it has no escapes.
 pub struct Text<'a>(pub Cow<'a, str>);
@@ -61,8 +62,8 @@ impl<'de> Deserialize<'de> for InBlock {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields, bound(deserialize = "C: Deserialize<'de>, T: Deserialize<'de>"))]
-pub struct RawDocument<'a, C, T> {
+#[serde(deny_unknown_fields, bound(deserialize = "C: Deserialize<'de>"))]
+pub struct RawDocument<'a, C> {
     #[serde(borrow)]
     pub knotproof: Text<'a>,
     #[serde(borrow)]
@@ -74,33 +75,19 @@ pub struct RawDocument<'a, C, T> {
     pub curve: C,
     #[serde(borrow)]
     pub curve_sha256: Text<'a>,
+    /// Read when the claim is known.
     #[serde(borrow)]
-    pub statement: Object<RawStatement<'a>>,
-    #[serde(borrow, bound(deserialize = "T: Deserialize<'de>"))]
-    pub evidence: Object<RawEvidence<'a, T>>,
+    pub statement: &'a RawValue,
+    /// Read when the claim is known.
+    #[serde(borrow)]
+    pub evidence: &'a RawValue,
 }
 
+/// The one field of a statement that every claim has.
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RawStatement<'a> {
+pub struct RawClaim<'a> {
     #[serde(borrow)]
     pub claim: Text<'a>,
-    #[serde(borrow)]
-    pub convention: Text<'a>,
-    #[serde(borrow)]
-    pub lower_squared: Text<'a>,
-    #[serde(borrow, deserialize_with = "required")]
-    pub upper_squared: Option<Text<'a>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, bound(deserialize = "T: Deserialize<'de>"))]
-pub struct RawEvidence<'a, T> {
-    pub grid: u32,
-    #[serde(deserialize_with = "required")]
-    pub tree: Option<T>,
-    #[serde(borrow, deserialize_with = "required")]
-    pub upper: Option<Object<RawUpper<'a>>>,
 }
 
 /// A field that may be missing but not null.
@@ -109,66 +96,8 @@ fn optional<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) -> 
 }
 
 /// A field that may be null but not missing.
-fn required<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
+pub fn required<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
     Option::deserialize(deserializer)
-}
-
-#[derive(Deserialize)]
-#[serde(tag = "rule", rename_all = "snake_case", deny_unknown_fields)]
-pub enum RawUpper<'a> {
-    Miranda {
-        #[serde(borrow)]
-        s: [Text<'a>; 2],
-        #[serde(borrow)]
-        t: [Text<'a>; 2],
-        #[serde(borrow)]
-        first: [Text<'a>; 2],
-        #[serde(borrow)]
-        second: [Text<'a>; 2],
-        #[serde(borrow)]
-        regular: [Vec<Text<'a>>; 2],
-        subdivisions: u32,
-    },
-    Root {
-        #[serde(borrow)]
-        s: Text<'a>,
-        #[serde(borrow)]
-        s_side: Text<'a>,
-        #[serde(borrow)]
-        t: Text<'a>,
-        #[serde(borrow)]
-        t_side: Text<'a>,
-    },
-    Touch {
-        #[serde(borrow)]
-        s: Text<'a>,
-        #[serde(borrow)]
-        t: Text<'a>,
-    },
-    Crossing {
-        #[serde(borrow)]
-        s: [Text<'a>; 2],
-        #[serde(borrow)]
-        t: [Text<'a>; 2],
-        #[serde(borrow)]
-        first: Vec<Text<'a>>,
-        #[serde(borrow)]
-        second: Vec<Text<'a>>,
-    },
-    CriticalRoot {
-        #[serde(borrow)]
-        s: Text<'a>,
-        #[serde(borrow)]
-        t: Text<'a>,
-    },
-    CriticalInterval {
-        #[serde(borrow)]
-        s: Text<'a>,
-        #[serde(borrow)]
-        t: [Text<'a>; 2],
-        #[serde(borrow)]
-        regular: Vec<Text<'a>>,
-    },
 }
 
 #[derive(Deserialize)]
@@ -206,55 +135,4 @@ pub struct RawPiece<'a> {
     pub points: Vec<Vec<Text<'a>>>,
     #[serde(default, borrow, deserialize_with = "optional")]
     pub weights: Option<Vec<Text<'a>>>,
-}
-
-impl RawUpper<'_> {
-    /// The same without borrowing.
-    pub fn into_owned(self) -> RawUpper<'static> {
-        fn one(text: Text) -> Text<'static> {
-            Text(Cow::Owned(text.0.into_owned()))
-        }
-        fn two(texts: [Text; 2]) -> [Text<'static>; 2] {
-            texts.map(one)
-        }
-        fn many(texts: Vec<Text>) -> Vec<Text<'static>> {
-            texts.into_iter().map(one).collect()
-        }
-        match self {
-            RawUpper::Miranda {
-                s,
-                t,
-                first,
-                second,
-                regular,
-                subdivisions,
-            } => RawUpper::Miranda {
-                s: two(s),
-                t: two(t),
-                first: two(first),
-                second: two(second),
-                regular: regular.map(many),
-                subdivisions,
-            },
-            RawUpper::Root { s, s_side, t, t_side } => RawUpper::Root {
-                s: one(s),
-                s_side: one(s_side),
-                t: one(t),
-                t_side: one(t_side),
-            },
-            RawUpper::Touch { s, t } => RawUpper::Touch { s: one(s), t: one(t) },
-            RawUpper::Crossing { s, t, first, second } => RawUpper::Crossing {
-                s: two(s),
-                t: two(t),
-                first: many(first),
-                second: many(second),
-            },
-            RawUpper::CriticalRoot { s, t } => RawUpper::CriticalRoot { s: one(s), t: one(t) },
-            RawUpper::CriticalInterval { s, t, regular } => RawUpper::CriticalInterval {
-                s: one(s),
-                t: two(t),
-                regular: many(regular),
-            },
-        }
-    }
 }

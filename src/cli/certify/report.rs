@@ -76,7 +76,7 @@ struct End {
 impl Report<'_> {
     /// One object for programs.
     pub fn for_programs(&self) -> ForPrograms {
-        let statement = &self.certified.document.statement;
+        let statement = &self.certified.document.claim.statement;
         let ends = self.ends();
         let (status, reason) = match &self.certified.status {
             Status::Certified => ("certified", None),
@@ -100,6 +100,7 @@ impl Report<'_> {
             upper_rule: self
                 .certified
                 .document
+                .claim
                 .evidence
                 .upper
                 .as_ref()
@@ -126,7 +127,7 @@ impl Report<'_> {
             leaves,
             ..
         } = self.certified;
-        let statement = &document.statement;
+        let statement = &document.claim.statement;
         let name = match &self.file.name {
             Some(name) => format!("{name:?}"),
             None => self.input.to_string(),
@@ -152,7 +153,7 @@ impl Report<'_> {
         if let Some(ends) = self.ends() {
             self.write_ends(&ends, text)?;
         }
-        if let Some(rule) = &document.evidence.upper {
+        if let Some(rule) = &document.claim.evidence.upper {
             let (rule, what) = describe(rule);
             writeln!(text, "  upper bound: {what} (rule {rule})")?;
         }
