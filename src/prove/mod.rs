@@ -6,6 +6,7 @@ mod exact;
 mod float_chain;
 mod half_plane;
 mod leaf;
+pub mod linear_program;
 pub mod msd;
 mod newton;
 mod node;
