@@ -16,7 +16,7 @@ import msd
 from curve import curve_block, read_chain
 from document import BinaryReader, Reject, anything, expect, natural, parse_json, record, text, variant
 
-CLAIMS = {"msd": msd}
+CLAIMS = {"msd": msd}  # modules with the fields STATEMENT and EVIDENCE, and the functions check and sentence
 MAX_HEADER = 16_777_216
 MAX_JSON_BYTES = (1 << 30) - 1
 MAGIC = b"KNOTCRT1"
@@ -40,7 +40,7 @@ def read_document(data):
 
 
 def check_certificate(data, wanted_hash=None):
-    """The statement of an accepted certificate, with `curve_sha256` and `tokens` added; raises Reject otherwise."""
+    """The statement of an accepted certificate, with its `curve_sha256` and the claim's figures; else raises Reject."""
     document, binary = read_document(data)
     found = DOCUMENT(document, "certificate")
     statement, claim = found["statement"], CLAIMS[found["statement"]["claim"]]
@@ -58,17 +58,12 @@ def check_certificate(data, wanted_hash=None):
     expect(stated_hash == found_hash, "curve_sha256", found_hash, stated_hash)
     expect(wanted_hash in (None, found_hash), "the certificate is about another curve", wanted_hash, found_hash)
 
-    count = claim.check(chain, statement, evidence, binary)
+    figures = claim.check(chain, statement, evidence, binary)
     expect(block.left() == 0, f"byte {block.at}", "no bytes left over", block.left())
-    return {**document["statement"], "curve_sha256": found_hash, "tokens": count}
+    return {**document["statement"], "curve_sha256": found_hash, **figures}
 
 
 # ---------------------------------------------------------------- command line
-
-
-def sentence(statement):
-    words = CLAIMS[statement["claim"]].sentence(statement)
-    return f"{words}, {statement['tokens']} tokens, curve {statement['curve_sha256']}"
 
 
 def examine(path, wanted_hash):
@@ -108,7 +103,9 @@ def main(arguments=None):
         if options.json and not options.quiet:
             print(json.dumps({"file": path, "verdict": verdict, **report}))
         elif not options.quiet:
-            print(f"{verdict}: {path}: {sentence(report['statement']) if verdict == 'accepted' else report['reason']}")
+            statement = report.get("statement")
+            words = CLAIMS[statement["claim"]].sentence(statement) if statement else report["reason"]
+            print(f"{verdict}: {path}: {words}")
     return 1 if "rejected" in verdicts else 2 if "unreadable" in verdicts else 0
 
 

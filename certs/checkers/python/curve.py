@@ -5,12 +5,13 @@ in the same way.  The common factor of a point or vector does not matter, except
 coefficients, which all stand over the same scale.
 """
 
+import itertools
 import math
 from collections import Counter
 from fractions import Fraction
 from typing import NamedTuple
 
-from document import expect, items, natural, number, record, require, varint, vector_bytes
+from document import expect, items, natural, number, record, require, shown, varint, vector_bytes
 
 MAX_DEGREE = 64
 MAX_COUNT = 4_000_000  # pieces, control points
@@ -136,10 +137,6 @@ def dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
 def difference(p, q):
     """A positive multiple of the vector p − q."""
     v, w = p[3], q[3]
@@ -153,17 +150,17 @@ def reduced(coefficients):
 
 
 def least(chord, groups, factor):
-    """The least value of factor·(v·chord) for all v in the groups, each a list of vectors with the same w."""
+    """The least value of factor·(v·chord) in each group of vectors with the same w, as (numerator, denominator)."""
     if factor == 0:
-        return 0
+        return [(0, 1)]
     extreme, (x, y, z) = min if factor > 0 else max, chord[:3]
-    return factor * extreme(Fraction(extreme([v[0] * x + v[1] * y + v[2] * z for v in group]), group[0][3])
-                            for group in groups)
+    return [(factor * extreme([v[0] * x + v[1] * y + v[2] * z for v in group]), group[0][3]) for group in groups]
 
 
 def combination_positive(chord, groups_v, alpha, groups_w, beta):
     """Is chord·(αv + βw) > 0 for all v and all w?  (The least of a sum is the sum of the least.)"""
-    return least(chord, groups_v, alpha) + least(chord, groups_w, beta) > 0
+    pairs = itertools.product(least(chord, groups_v, alpha), least(chord, groups_w, beta))
+    return all(v * w_den + w * v_den > 0 for (v, v_den), (w, w_den) in pairs)
 
 
 def split_at(coefficients, u):
@@ -203,11 +200,11 @@ class Arc(NamedTuple):
     def point(self, u):
         return split_at(self.points, u)[0][-1]
 
-    def direction(self, u, where):
-        """The direction at u (§6, `root`), up to a positive factor."""
+    def direction(self, u):
+        """The direction at u (§6, `root`): at the ends also where D vanishes."""
         d = split_at(self.d, u)[0][-1]
         if not any(d[:3]):
-            require(u in (0, 1), f"{where}: D vanishes inside a piece, so there is no direction")
+            require(u in (0, 1), f"upper: D vanishes inside a piece, at {shown(u)}, so there is no direction")
             d = self.tangents()[-int(u)]
         return d
 
@@ -221,31 +218,30 @@ class Chain:
             require(piece.tangents(), f"curve: piece {i} is a single point (D vanishes)")
         self.closed = not any(difference(pieces[0].points[0], pieces[-1].points[-1]))
 
+    def sides(self, s):
+        """The pieces at the parameter s, each with its local parameter, by side; of an integer, both that there are."""
+        i, found = math.floor(s), {}
+        if s == i and (i > 0 or self.closed):
+            found["before"] = self.pieces[i - 1], Fraction(1)
+        if i < self.size or self.closed:
+            found["after"] = self.pieces[i % self.size], Fraction(s - i)
+        return found
+
+    def place(self, s):
+        """The point c(s)."""
+        piece, u = next(iter(self.sides(s).values()))
+        return piece.point(u)
+
+    def directions(self, s):
+        """The incoming direction, if a piece ends at s, and the outgoing one, or the direction inside a piece."""
+        return [piece.direction(u) for piece, u in self.sides(s).values()]
+
     def is_end(self, s):
         return not self.closed and s in (0, self.size)
-
-    def directions(self, i):
-        """The incoming direction of the piece before the integer i, the outgoing one of the piece after it, or both."""
-        before = [self.pieces[i - 1].tangents()[-1]] if i > 0 or self.closed else []
-        return before + ([self.pieces[i % self.size].tangents()[0]] if i < self.size or self.closed else [])
 
     def is_corner(self, s):
         """Is the parameter s (0 ≤ s < M, or M of an open curve) a joint that is not smooth?"""
         if s.denominator != 1 or self.is_end(s):
             return False
-        a, b = self.directions(int(s))
-        return any(cross(a, b)) or dot(a, b) <= 0
-
-    def locate(self, s, side, where):
-        """Piece and local parameter of s, on the given side of it."""
-        i = math.floor(s)
-        if s == i and side == "before":
-            require(i > 0 or self.closed, f"{where}: no piece ends at 0")
-            return self.pieces[i - 1], Fraction(1)
-        require(i < self.size, f"{where}: no piece begins at {i}")
-        return self.pieces[i], s - i
-
-    def place(self, s):
-        """The point c(s)."""
-        piece, u = self.locate(s, "before" if s == self.size else "after", "curve")
-        return piece.point(u)
+        a, b = self.directions(s)
+        return dot(a, b) <= 0 or dot(a, b) ** 2 < dot(a, a) * dot(b, b)  # equal when and only when parallel

@@ -95,8 +95,8 @@ def integer(value, where, bits=MAX_BITS):
 def natural(low, high=(1 << 64) - 1):
     """A reader of a JSON number."""
     def read(value, where):
-        holds = type(value) is int and low <= value <= high  # a bool is no int here
-        expect(holds, where, f"an integer from {low} to {high}", value)
+        # a bool is no integer here
+        expect(type(value) is int and low <= value <= high, where, f"an integer from {low} to {high}", value)
         return value
     return read
 
@@ -106,8 +106,8 @@ def text(*allowed):
     wish = " or ".join(f"'{a}'" for a in allowed) or "a string of Unicode characters"
 
     def read(value, where):
-        expect(isinstance(value, str) and (not allowed or value in allowed), where, wish, value)
-        expect(not any("\ud800" <= c <= "\udfff" for c in value), where, wish, value)
+        unicode = isinstance(value, str) and not any("\ud800" <= c <= "\udfff" for c in value)
+        expect(unicode and (not allowed or value in allowed), where, wish, value)
         return value
     return read
 
@@ -180,15 +180,13 @@ class BinaryReader:
         return len(self.data) - self.at
 
     def take(self, count, what):
-        expect(count <= self.left(), f"byte {self.at}: truncated", f"{count} bytes of {what}", self.left())
+        if count > self.left():
+            raise Reject(f"byte {self.at}: truncated: expected {what} ({count} bytes), found {self.left()} bytes")
         self.at += count
         return self.data[self.at - count:self.at]
 
     def byte(self, what):
-        if self.at == len(self.data):
-            raise Reject(f"byte {self.at}: truncated: expected a byte of {what}")
-        self.at += 1
-        return self.data[self.at - 1]
+        return self.take(1, what)[0]
 
     def varint(self, what, bits=MAX_BITS):
         start = self.at

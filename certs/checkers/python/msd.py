@@ -29,10 +29,11 @@ EVIDENCE = {"grid": natural(0, MAX_GRID), "tree": anything, "upper": anything}
 
 
 def check(chain, statement, evidence, block):
-    """Checks the claim; `block` is the reader of the tree in the binary form.  Gives the number of tokens."""
+    """Check the claim; `block` is the reader of the tree in the binary form.  The figure is the number of tokens."""
     lower, upper, tree = statement["lower_squared"], statement["upper_squared"], evidence["tree"]
     expect(upper is None or (lower is not None and lower <= upper), "statement", "lower_squared ≤ upper_squared", upper)
-    for name, absent, when in (("tree", lower == 0, 'lower_squared is "0"'), ("upper", upper is None, "upper_squared is null")):
+    for name, absent, when in (("tree", lower == 0, 'lower_squared is "0"'),
+                               ("upper", upper is None, "upper_squared is null")):
         wish = f"null when and only when {when}"
         expect((evidence[name] is None) == absent, f"evidence.{name}", wish, evidence[name])
     critical, count = statement["convention"] == "critical", 0
@@ -41,14 +42,15 @@ def check(chain, statement, evidence, block):
         count = Cover(chain, critical, evidence["grid"], lower).replay(tokens)
     if upper is not None:
         msd_upper.check(chain, evidence["upper"], upper, critical)
-    return count
+    return {"tokens": count}
 
 
 def sentence(statement):
     """An accepted statement in words."""
     lower, upper = statement["lower_squared"], statement["upper_squared"]
     bounds = "no double normal" if lower == "inf" else f"σ² in [{lower}, {'∞' if upper is None else upper}]"
-    return f"{bounds}, convention {statement['convention']}"
+    return (f"{bounds}, convention {statement['convention']}, {statement['tokens']} tokens, "
+            f"curve {statement['curve_sha256']}")
 
 
 # ---------------------------------------------------------------- tokens
@@ -136,23 +138,19 @@ class Point(Node):
 
 class Run(Node):
     def __init__(self, elements, grid):
-        self.elements, self.grid = elements, grid
-        self.start, self.end = elements[0].start, elements[-1].end
+        self.grid, self.start, self.end = grid, elements[0].start, elements[-1].end
         self.ends = elements[0].ends | elements[-1].ends
-
-    @cached_property
-    def children(self):
-        middle = len(self.elements) // 2
-        return [node_of(half, self.grid) for half in (self.elements[:middle], self.elements[middle:])]
+        middle = len(elements) // 2
+        self.children = [node_of(half, grid) for half in (elements[:middle], elements[middle:])]
 
     @cached_property
     def hull(self):
         """The box; the box of a run inside is on the grid already, so that it can be rounded once more."""
-        sides = []
+        points, sides = [p for child in self.children for p in child.hull], []
         for axis in range(3):
-            lows = [(min(p[axis] for p in child.hull) << self.grid) // child.hull[0][3] for child in self.children]
-            highs = [(max(p[axis] for p in child.hull) << self.grid, child.hull[0][3]) for child in self.children]
-            sides.append({min(lows), max(-(-x // w) for x, w in highs)})
+            low = min((p[axis] << self.grid) // p[3] for p in points)
+            high = max(-(-(p[axis] << self.grid) // p[3]) for p in points)
+            sides.append({low, high})
         return sorted(itertools.product(*sides, [1 << self.grid]))
 
     @cached_property
@@ -181,7 +179,6 @@ class Cover:
     def __init__(self, chain, critical, grid, lower):
         self.chain, self.lower = chain, lower
         self.whole = node_of(list(elements_of(chain, critical)), grid)
-        self.rules = {"far": self.far, "not_normal": self.not_normal, "cone": self.cone, "bend": self.bend}
 
     def replay(self, tokens):
         """Check every token; return their number."""
@@ -195,20 +192,19 @@ class Cover:
             except Reject as error:
                 words = " ".join([rule, *map(shown, integers)])
                 raise Reject(f"token {number}, pair {a} x {b}, rule '{words}': {error}") from None
-            while stack and stack[-1][0] is stack[-1][1] and isinstance(stack[-1][0], Point):
-                stack.pop()
             number += 1
         if stack:
-            raise Reject("token {}, pair {} x {}: expected a token, found the end of the tree".format(number, *stack[-1]))
+            a, b = stack.pop()
+            raise Reject(f"token {number}, pair {a} x {b}: expected a token, found the end of the tree")
         return number
 
     def step(self, a, b, rule, integers):
         """The pairs that follow, the last one first; a leaf has none."""
-        if rule in self.rules:
+        if integers:
             require(any(integers), "expected integers not all zero")
             mixed = rule == "bend" or (rule == "not_normal" and all(integers))
             require(not (mixed and (isinstance(a, Run) or isinstance(b, Run))), "this rule is not for runs")
-            self.rules[rule](a, b, *integers)
+            getattr(self, rule)(a, b, *integers)
             return []
         require((rule == "split") == (a is b), "this token is not for such a pair")
         if rule == "first":
@@ -216,7 +212,7 @@ class Cover:
         if rule == "second":
             return [(a, child) for child in reversed(b.children)]
         one, two = a.children
-        return [(two, two), (one, two), (one, one)]
+        return [(c, d) for c, d in ((two, two), (one, two), (one, one)) if c is not d or not isinstance(c, Point)]
 
     def far(self, a, b, *n):
         require(self.lower is not None, "expected no 'far' under lower_squared \"inf\"")

@@ -4,7 +4,7 @@ import itertools
 import math
 from fractions import Fraction
 
-from curve import combination_positive, cross, difference, dot
+from curve import combination_positive, difference, dot
 from document import Reject, expect, integer, items, natural, number, require, shown, text, variant
 
 MAX_SUBSECTIONS = 1_024
@@ -98,20 +98,19 @@ def miranda(_chain, upper, s, t, first, second, regular, subdivisions):
 
 def crossing(chain, _upper, s, t, first, second):
     expect(chain.dimension == 2, "upper, rule 'crossing'", "a curve in the plane", chain.dimension)
+    require(first[0] * second[1] != first[1] * second[0], "upper: the two vectors are linearly dependent")
     n1, n2 = (*first, 0), (*second, 0)
-    require(any(cross(n1, n2)), "upper: the two vectors are linearly dependent")
     s.require_signs(t, 1, 1, lambda x, _v, _w: dot(n1, x) > 0)
     t.require_signs(s, 1, -1, lambda x, _w, _v: dot(n2, x) > 0)
 
 
 def root(chain, upper, s, s_side, t, t_side):
-    located = []
-    for name, at, side in (("s", s, s_side), ("t", t, t_side)):
-        expect(side == "after" or at.denominator == 1, f"upper.{name}_side", "'after'", side)
-        located.append(chain.locate(at, side, f"upper.{name}_side"))
+    sides, located = (chain.sides(s), chain.sides(t)), []
+    for found, side, name in zip(sides, (s_side, t_side), "st"):
+        located.append(found[text(*found)(side, f"upper.{name}_side")])
     p, q = (piece.point(u) for piece, u in located)
     for name, (piece, u) in zip("st", located):
-        product = dot(difference(p, q), piece.direction(u, f"upper.{name}"))
+        product = dot(difference(p, q), piece.direction(u))
         require(product == 0, f"upper: the chord is not orthogonal to the direction at {name}")
     require_short([p], [q], upper)
 
@@ -122,14 +121,12 @@ def touch(chain, _upper, s, t):
 
 def is_critical(chain, s, x):
     """Is the chord x = (other end) − c(s) critical at s (§4)?"""
+    products = [dot(x, v) for v in chain.directions(s)]
     if chain.is_end(s):
-        v, = chain.directions(int(s))
-        return dot(x, v) <= 0 if s == 0 else dot(x, v) >= 0
+        return products[0] <= 0 if s == 0 else products[0] >= 0
     if chain.is_corner(s):
-        a, b = chain.directions(int(s))
-        return dot(x, a) * dot(x, b) <= 0
-    piece, u = chain.locate(s, "after", "upper")
-    return dot(x, piece.direction(u, "upper")) == 0
+        return products[0] * products[1] <= 0
+    return products[-1] == 0
 
 
 def critical_root(chain, upper, s, t):
@@ -149,7 +146,7 @@ def critical_interval(chain, upper, s, t, regular):
     if chain.is_end(s):
         critical = all(is_critical(chain, s, x) for x in chords)
     else:
-        a, b = chain.directions(int(s))
+        a, b = chain.directions(s)
         critical = any(all(sign * dot(x, a) >= 0 >= sign * dot(x, b) for x in chords) for sign in (1, -1))
     require(critical, "upper: not every chord is seen to be critical at s")
     signs = [dot(difference(point, e), d) for point, d in t.ends]

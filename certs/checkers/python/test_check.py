@@ -500,9 +500,9 @@ class Upper(Checks):
                 self.reject(self.tamper(circle, **changes), reason)
         self.accept(self.tamper(circle, s="0", t="2", s_side="before", t_side="before"))
         c = certificate(OMEGA, "0", None, "99", {"rule": "root", "s": "0", "s_side": "before", "t": "3", "t_side": "after"})
-        self.reject(c, "no piece ends at 0")
+        self.reject(c, "s_side: expected .after., found .before.")
         c["evidence"]["upper"]["s_side"] = "after"
-        self.reject(c, "no piece begins at 3")
+        self.reject(c, "t_side: expected .before., found .after.")
         fold = {"bezier": {"pieces": [piece([(0, 1), (0, 0), (0, 1)]), piece([(0, 1), (0, 9)])]}}
         c = certificate(fold, "0", None, "99", {"rule": "root", "s": "1/2", "s_side": "after", "t": "3/2", "t_side": "after"})
         self.reject(c, "vanishes")
