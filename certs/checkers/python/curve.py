@@ -16,11 +16,11 @@ from document import expect, items, natural, number, record, require, shown, var
 MAX_DEGREE = 64
 MAX_COUNT = 4_000_000  # pieces, control points
 
-PIECE = record({"points": items(items(number))}, {"weights": items(number)})
+POINTS, WEIGHTS = items(items(number), most=MAX_COUNT), items(number)
+PIECE = record({"points": POINTS}, {"weights": WEIGHTS})
 KINDS = {
-    "bspline": record({"degree": natural(1, MAX_DEGREE), "knots": items(number), "points": items(items(number))},
-                      {"weights": items(number)}),
-    "bezier": record({"pieces": items(PIECE)}),
+    "bspline": record({"degree": natural(1, MAX_DEGREE), "knots": items(number), "points": POINTS}, {"weights": WEIGHTS}),
+    "bezier": record({"pieces": items(PIECE, most=MAX_COUNT)}),
 }
 
 

@@ -112,12 +112,13 @@ def text(*allowed):
     return read
 
 
-def items(reader, length=None):
-    """A reader of a list (of this length)."""
-    wish = "a list" if length is None else f"a list of {length}"
+def items(reader, length=None, most=None):
+    """A reader of a list, of this length or of at most so many."""
+    wish = "a list" if length is most is None else f"a list of {length or f'at most {most}'}"
 
     def read(value, where):
-        expect(isinstance(value, list) and length in (None, len(value)), where, wish, value)
+        fits = isinstance(value, list) and length in (None, len(value)) and (most is None or len(value) <= most)
+        expect(fits, where, wish, value)
         return [reader(x, f"{where}[{i}]") for i, x in enumerate(value)]
     return read
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of check.py on tiny certificates made by hand.  Run: python3 test_check.py
+"""Tests of the checker on tiny certificates made by hand.  Run: python3 test_check.py
 
 The encoder below is written apart from the checker's own, from docs/FORMAT.md §7.
 """
