@@ -19,7 +19,8 @@ MAX_COUNT = 4_000_000  # pieces, control points
 POINTS, WEIGHTS = items(items(number), most=MAX_COUNT), items(number)
 PIECE = record({"points": POINTS}, {"weights": WEIGHTS})
 KINDS = {
-    "bspline": record({"degree": natural(1, MAX_DEGREE), "knots": items(number), "points": POINTS}, {"weights": WEIGHTS}),
+    "bspline": record({"degree": natural(1, MAX_DEGREE), "knots": items(number), "points": POINTS},
+                      {"weights": WEIGHTS}),
     "bezier": record({"pieces": items(PIECE, most=MAX_COUNT)}),
 }
 

@@ -114,7 +114,7 @@ def text(*allowed):
 
 def items(reader, length=None, most=None):
     """A reader of a list, of this length or of at most so many."""
-    wish = "a list" if length is most is None else f"a list of {length or f'at most {most}'}"
+    wish = "a list" if length is None and most is None else f"a list of {length or f'at most {most}'}"
 
     def read(value, where):
         fits = isinstance(value, list) and length in (None, len(value)) and (most is None or len(value) <= most)

@@ -769,6 +769,12 @@ class Limits(Checks):
             self.both(certificate(polygon(*((x, 0) for x in range(5))), "inf", ["cone 1 0"]))
             self.both(certificate(polygon(*((x, 0) for x in range(6))), "inf", ["cone 1 0"]), "1 to 4")
 
+    def test_a_long_list_is_refused_before_it_is_read(self):
+        reader = document.items(document.number, most=2)
+        self.assertEqual(reader(["1", "1/2"], "x"), [1, F(1, 2)])
+        with self.assertRaisesRegex(document.Reject, "x: expected a list of at most 2"):
+            reader(["", "", ""], "x")
+
     def test_witnesses(self):
         for bits, reason in ((4096, None), (4097, "4096 bits")):
             for sign in ("", "-"):
