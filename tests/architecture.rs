@@ -12,7 +12,10 @@ const MAY_USE: [(&str, &[&str]); 12] = [
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
     ("float", &["number", "curve"]),
-    ("prove", &["number", "curve", "claim", "certificate", "check", "float"]),
+    (
+        "prove",
+        &["number", "polytope", "curve", "claim", "certificate", "check", "float"],
+    ),
     (
         "validate",
         &["number", "curve", "claim", "certificate", "check", "float"],

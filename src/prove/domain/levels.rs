@@ -123,7 +123,9 @@ impl<'a, const D: usize> Levels<'a, D> {
             _ => None,
         };
         let zero = || [Rational::zero(), Rational::zero()];
-        let measure = polytope.as_ref().map_or_else(zero, |polytope| polytope.measure_enclosure(MEASURE_BITS));
+        let measure = polytope
+            .as_ref()
+            .map_or_else(zero, |polytope| polytope.measure_enclosure(MEASURE_BITS));
         let before = self.last.take().filter(|last| !last[0].is_zero());
         let absolute_error = before.as_ref().map(|[low, high]| {
             let least = &measure[0] - high;

@@ -80,7 +80,12 @@ impl Parts {
         let mut stack: Vec<(Coefficients, Coefficients, f64, f64)> = Vec::new();
         for part in &self.0 {
             let numerator: Coefficients = (0..part.center.len())
-                .map(|k| -arm.iter().zip(&part.linear).map(|(y, column)| y * column[k]).sum::<f64>())
+                .map(|k| {
+                    -arm.iter()
+                        .zip(&part.linear)
+                        .map(|(y, column)| y * column[k])
+                        .sum::<f64>()
+                })
                 .collect();
             stack.push((numerator, SmallVec::from_slice(&part.center), part.start, part.width));
             while let Some((numerator, center, start, width)) = stack.pop() {
@@ -140,7 +145,9 @@ impl Part {
     fn new(section: usize, start: f64, width: f64, columns: &[Vec<Integer>]) -> Part {
         let greatest = columns.iter().flatten().map(Integer::abs).max().unwrap_or(Integer::ONE);
         let float = |column: &Vec<Integer>| {
-            let scaled = column.iter().map(|x| Rational::new(x.clone(), greatest.clone()).to_f64());
+            let scaled = column
+                .iter()
+                .map(|x| Rational::new(x.clone(), greatest.clone()).to_f64());
             scaled.collect()
         };
         Part {

@@ -270,8 +270,13 @@ fn bounds(bounds: &Bounds, position: &[Rational]) -> Result<Box, QuestionError> 
     if found.low.iter().zip(&found.high).any(|(low, high)| low >= high) {
         return Err(QuestionError::Box);
     }
-    let inside = (0..position.len()).all(|axis| found.low[axis] <= position[axis] && position[axis] <= found.high[axis]);
-    if inside { Ok(found) } else { Err(QuestionError::Excluded) }
+    let inside =
+        (0..position.len()).all(|axis| found.low[axis] <= position[axis] && position[axis] <= found.high[axis]);
+    if inside {
+        Ok(found)
+    } else {
+        Err(QuestionError::Excluded)
+    }
 }
 
 fn interval(chain: &Chain, interval: Option<&[Rational; 2]>) -> Result<[Rational; 2], QuestionError> {

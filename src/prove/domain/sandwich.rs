@@ -128,7 +128,9 @@ impl<'a, const D: usize> Search<'a, D> {
         let v = Rational::new(Integer::from(at), Integer::from(WHOLE));
         let u = &sign.ends[0] + v * (&sign.ends[1] - &sign.ends[0]);
         let Some((affine, _)) = sign.row(&u) else { return false };
-        let Ok(normal) = affine.linear.try_into() else { return false };
+        let Ok(normal) = affine.linear.try_into() else {
+            return false;
+        };
         let half_space = HalfSpace {
             normal,
             constant: affine.constant,
@@ -136,10 +138,7 @@ impl<'a, const D: usize> Search<'a, D> {
         if self.polytope.clip(&half_space, self.rows.len()) != Clip::Cut {
             return false;
         }
-        self.rows.push(Row::Parameter {
-            piece: sign.piece,
-            u,
-        });
+        self.rows.push(Row::Parameter { piece: sign.piece, u });
         true
     }
 
@@ -148,10 +147,18 @@ impl<'a, const D: usize> Search<'a, D> {
     pub fn refine(&mut self, target: f64, budget: usize, rounds: &mut Vec<Round>) -> bool {
         loop {
             let rays = self.rays();
-            let Some(inner) = self.hull(&rays.inner) else { return false };
-            let inner_measure: f64 = inner.iter().map(|cell| volume(cell.iter().map(|v| rays.inner[*v]))).sum();
+            let Some(inner) = self.hull(&rays.inner) else {
+                return false;
+            };
+            let inner_measure: f64 = inner
+                .iter()
+                .map(|cell| volume(cell.iter().map(|v| rays.inner[*v])))
+                .sum();
             let cells = self.outer_cells();
-            let outer_measure: f64 = cells.iter().map(|(cell, _)| volume(cell.iter().map(|v| rays.vertices[*v]))).sum();
+            let outer_measure: f64 = cells
+                .iter()
+                .map(|(cell, _)| volume(cell.iter().map(|v| rays.vertices[*v])))
+                .sum();
             rounds.push(Round {
                 inequalities: self.inequalities(),
                 vertices: self.polytope.vertex_count(),
@@ -193,7 +200,8 @@ impl<'a, const D: usize> Search<'a, D> {
                 continue;
             }
             let count = facet.vertices.len() as f64;
-            let middle = std::array::from_fn(|axis| facet.vertices.iter().map(|v| vertices[*v][axis]).sum::<f64>() / count);
+            let middle =
+                std::array::from_fn(|axis| facet.vertices.iter().map(|v| vertices[*v][axis]).sum::<f64>() / count);
             inner.push(end(&middle, &self.parts.hit(&middle, tolerance)));
         }
         Rays { vertices, hits, inner }
@@ -211,7 +219,10 @@ impl<'a, const D: usize> Search<'a, D> {
                 exact.try_into().ok()
             })
             .collect();
-        hull(&points?, &std::array::from_fn(|_| Rational::from_integer(Integer::ZERO)))
+        hull(
+            &points?,
+            &std::array::from_fn(|_| Rational::from_integer(Integer::ZERO)),
+        )
     }
 
     /// The facets of the outer polytope cut into triangles, with their rows.
@@ -242,7 +253,10 @@ impl<'a, const D: usize> Search<'a, D> {
             }
         }
         // As coarse as the distance to the boundary allows.
-        let near = cells.iter().flatten().map(|v| points[*v].iter().map(|x| x * x).sum::<f64>().sqrt());
+        let near = cells
+            .iter()
+            .flatten()
+            .map(|v| points[*v].iter().map(|x| x * x).sum::<f64>().sqrt());
         let grid = 2f64.powf((near.fold(f64::INFINITY, f64::min) / 64.0).log2().floor());
         let moved: Option<Vec<Rational>> = (0..D)
             .map(|axis| {
@@ -328,7 +342,10 @@ impl<'a, const D: usize> Search<'a, D> {
 
     /// A lower estimate of the distance from the center to the boundary of the outer polytope.
     fn inradius(&self, rays: &Rays<D>) -> f64 {
-        let inner = rays.inner.iter().map(|arm| arm.iter().map(|x| x * x).sum::<f64>().sqrt());
+        let inner = rays
+            .inner
+            .iter()
+            .map(|arm| arm.iter().map(|x| x * x).sum::<f64>().sqrt());
         inner.fold(f64::INFINITY, f64::min) / 16.0
     }
 
@@ -384,7 +401,10 @@ impl<'a, const D: usize> Search<'a, D> {
             cells.into_iter().map(|(cell, row)| (cell, used[&row])).unzip();
         for (cell, row) in cells.iter().zip(&cell_rows) {
             let exact = self.context.row(&rows[*row]).ok_or("a row that is none")?;
-            if cell.iter().any(|v| exact.affine.at(&outer_points[*v], &denominator).is_positive()) {
+            if cell
+                .iter()
+                .any(|v| exact.affine.at(&outer_points[*v], &denominator).is_positive())
+            {
                 return Err("an outer point within its row".into());
             }
         }
@@ -460,5 +480,6 @@ fn volume<const D: usize>(points: impl Iterator<Item = [f64; D]>) -> f64 {
 pub fn strictly_in_box(context: &Context, point: &[Rational]) -> bool {
     let bounds = &context.domain.bounds;
     let positive = |x: Rational| x.is_positive();
-    (0..point.len()).all(|axis| positive(&point[axis] - &bounds.low[axis]) && positive(&bounds.high[axis] - &point[axis]))
+    (0..point.len())
+        .all(|axis| positive(&point[axis] - &bounds.low[axis]) && positive(&bounds.high[axis] - &point[axis]))
 }
