@@ -14,6 +14,7 @@ use knotproof::prove::domain::sandwich::Round;
 use knotproof::prove::domain::{
     Bounds, Certified, CertifyError, Options, Problem, Question, Status, certify, write_checked,
 };
+use knotproof::prove::linear_program::GoodLp;
 use serde::Serialize;
 use tempfile::SpooledTempFile;
 
@@ -138,6 +139,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         budget: arguments.budget as usize,
         name: file.name.clone(),
         snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
+        solver: &GoodLp,
     };
     let start = Instant::now();
     let certified = certify(&file.curve, &problem, &options);

@@ -1,5 +1,6 @@
 //! Evidence about the convex domain of a control point.
 
+mod feasible;
 pub mod levels;
 mod parts;
 pub mod problem;
@@ -15,11 +16,13 @@ use crate::claim::domain::{Content, Outcome, Statement};
 use crate::curve::Curve;
 use crate::number::{Rational, RationalExt};
 pub use problem::{Bounds, Problem, Question, QuestionError};
+use super::linear_program::FloatSolver;
+use feasible::Found;
 use sandwich::{Round, Search};
 
 /// What certifying needs to know.
-#[derive(Clone, Debug)]
-pub struct Options {
+#[derive(Clone)]
+pub struct Options<'s> {
     /// measure(outer \ inner)/measure(inner) is to be at most this.
     pub tolerance: Rational,
     /// Rows of the outer polytope at most.
@@ -28,6 +31,8 @@ pub struct Options {
     pub name: Option<String>,
     /// How many joints were moved together on reading.
     pub snapped_joints: Option<u64>,
+    /// Suggests solutions of linear programs; what it says is never trusted.
+    pub solver: &'s dyn FloatSolver,
 }
 
 /// What was found of a domain.
@@ -125,8 +130,38 @@ fn certify_in<'c, const D: usize>(curve: &'c Curve, problem: &Problem, options: 
     let Ok(context) = Context::new(curve, &problem.domain) else {
         return undecided("the domain is none", rounds);
     };
-    let Some(center) = center::<D>(&context, problem) else {
-        return undecided("no point of the domain was found", rounds);
+    let document = |outcome, evidence| Document {
+        tool: super::TOOL.into(),
+        name: options.name.clone(),
+        snapped_joints: options.snapped_joints,
+        curve: Cow::Borrowed(curve),
+        claim: Content {
+            statement: Statement {
+                domain: problem.domain.clone(),
+                outcome,
+            },
+            evidence,
+        },
+    };
+    let found = match position_inside(&context, problem) {
+        Some(position) => Found::Point(position),
+        None => feasible::find(&context, options.solver),
+    };
+    let center: [Rational; D] = match found {
+        Found::Point(point) => match point.try_into() {
+            Ok(center) => center,
+            Err(_) => return undecided("no point of the domain was found", rounds),
+        },
+        Found::Empty(evidence) => {
+            return Certified {
+                document: Some(document(Outcome::Empty, evidence)),
+                status: Status::Certified,
+                rounds,
+            };
+        }
+        Found::Nothing => {
+            return undecided("neither a point of the domain was found nor that there is none", rounds);
+        }
     };
     let tolerance = options.tolerance.to_f64();
     let Some(mut search) = Search::new(&context, center, tolerance) else {
@@ -153,21 +188,12 @@ fn certify_in<'c, const D: usize>(curve: &'c Curve, problem: &Problem, options: 
             break;
         }
     }
-    let document = best.map(|found| Document {
-        tool: super::TOOL.into(),
-        name: options.name.clone(),
-        snapped_joints: options.snapped_joints,
-        curve: Cow::Borrowed(curve),
-        claim: Content {
-            statement: Statement {
-                domain: problem.domain.clone(),
-                outcome: Outcome::Sandwich {
-                    inner_measure: found.inner_measure,
-                    outer_measure: found.outer_measure,
-                },
-            },
-            evidence: found.evidence,
-        },
+    let document = best.map(|found| {
+        let outcome = Outcome::Sandwich {
+            inner_measure: found.inner_measure,
+            outer_measure: found.outer_measure,
+        };
+        document(outcome, found.evidence)
     });
     let status = if why.is_empty() {
         Status::Certified
@@ -181,8 +207,8 @@ fn certify_in<'c, const D: usize>(curve: &'c Curve, problem: &Problem, options: 
     }
 }
 
-/// A point of K inside the box.
-fn center<const D: usize>(context: &Context, problem: &Problem) -> Option<[Rational; D]> {
-    let position: [Rational; D] = problem.position.clone().try_into().ok()?;
-    (problem.has_sign && sandwich::strictly_in_box(context, &position)).then_some(position)
+/// Where the control point is, if that is in K and inside the box.
+fn position_inside(context: &Context, problem: &Problem) -> Option<Vec<Rational>> {
+    let position = &problem.position;
+    (problem.has_sign && sandwich::strictly_in_box(context, position)).then(|| position.clone())
 }
