@@ -50,4 +50,6 @@ pub mod claim;
 pub mod curve;
 pub mod number;
 #[cfg(feature = "prove")]
+pub mod polytope;
+#[cfg(feature = "prove")]
 pub mod prove;

@@ -2,6 +2,7 @@
 
 mod cone;
 mod cover;
+pub mod domain;
 mod exact;
 mod float_chain;
 mod half_plane;
@@ -14,3 +15,6 @@ mod seeds;
 mod tree;
 mod upper;
 mod vector;
+
+/// The program that writes certificates.
+const TOOL: &str = concat!("knotproof ", env!("CARGO_PKG_VERSION"));

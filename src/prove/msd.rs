@@ -110,9 +110,6 @@ impl From<io::Error> for CertifyError {
 /// Trees up to this size stay in memory.
 const IN_MEMORY: usize = 1 << 26;
 
-/// The program that writes certificates.
-const TOOL: &str = concat!("knotproof ", env!("CARGO_PKG_VERSION"));
-
 impl Certified<'_> {
     /// Writes the certificate.
     ///
@@ -160,7 +157,7 @@ impl Certified<'_> {
 /// [`CertifyError::PointPiece`], and those of the temporary file that holds a large tree.
 pub fn certify<'c>(curve: &'c Curve, options: &Options, progress: &dyn Fn(f64)) -> Result<Certified<'c>, CertifyError> {
     let document = Document {
-        tool: TOOL.into(),
+        tool: super::TOOL.into(),
         name: options.name.clone(),
         snapped_joints: options.snapped_joints,
         curve: Cow::Borrowed(curve),

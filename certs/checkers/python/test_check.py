@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of check.py on tiny certificates made by hand.  Run: python3 test_check.py
+"""Tests of the checker on tiny certificates made by hand.  Run: python3 test_check.py
 
 The encoder below is written apart from the checker's own, from docs/FORMAT.md §7.
 """
@@ -19,6 +19,9 @@ from fractions import Fraction as F
 from unittest import mock
 
 import check
+import document
+import msd
+from curve import read_chain
 
 # ---------------------------------------------------------------- a second encoder
 
@@ -230,7 +233,7 @@ class Checks(unittest.TestCase):
         return check.check_certificate(data)
 
     def reject(self, certificate, reason):
-        with self.assertRaisesRegex(check.Reject, reason):
+        with self.assertRaisesRegex(document.Reject, reason):
             self.accept(certificate)
 
     def changed(self, certificate, path, value):
@@ -284,14 +287,17 @@ class Accepted(Checks):
         self.reject(certificate({"bezier": {"pieces": pieces}}, "0", None, "5", rule), "the joint 0 inside is a corner")
 
 
+def chain_of(value):
+    return read_chain(document.BinaryReader(curve_block(value)))
+
+
 class Geometry(Checks):
     def test_d_is_the_numerator_of_the_derivative(self):
         rng, compared = random.Random(5), 0
         for n in (1, 2, 3, 5):
             points = [tuple(F(rng.randint(-9, 9), rng.randint(1, 5)) for _ in range(3)) for _ in range(n + 1)]
             weights = [F(rng.randint(1, 9), rng.randint(1, 5)) for _ in range(n + 1)]
-            flat = check.vector([x for q in points for x in q], "")
-            made = check.Piece(*check.lifted(3, flat, check.vector(weights, "")), 0)
+            made, = chain_of({"bezier": {"pieces": [piece(points, weights)]}}).pieces
             u = F(2, 7)
 
             def bernstein(values, degree):
@@ -305,11 +311,11 @@ class Geometry(Checks):
                 x = [w * p[axis] for w, p in zip(weights, points)]
                 wanted = slope(x) * bernstein(weights, n) - bernstein(x, n) * slope(weights)
                 self.assertGreater(len(set(weights)), 1)
-                d = [F(v[axis], made.d_den) for v in made.d]
+                d = [F(v[axis], v[3]) for v in made.d]
                 self.assertEqual(bernstein(d, 2 * n - 2), wanted)
-                half = made.restricted(F(1, 7), F(4, 7))[1]  # u = 2/7 is 1/3 of the way
-                third = sum(F(v[axis], half[1]) * math.comb(2 * n - 2, k) * F(1, 3) ** k * F(2, 3) ** (2 * n - 2 - k)
-                            for k, v in enumerate(half[0]))
+                half = made.restricted(F(1, 7), F(4, 7)).d  # u = 2/7 is 1/3 of the way
+                third = sum(F(v[axis], v[3]) * math.comb(2 * n - 2, k) * F(1, 3) ** k * F(2, 3) ** (2 * n - 2 - k)
+                            for k, v in enumerate(half))
                 self.assertEqual(third, wanted)
                 compared += 1
         self.assertEqual(compared, 12)
@@ -330,8 +336,7 @@ class Geometry(Checks):
                 out += (knots[i + q + 1] - t) / (knots[i + q + 1] - knots[i + 1]) * basis(i + 1, q - 1, t)
             return out
 
-        chain = check.Chain(check.Curve(2, (p, check.vector(knots, "")), [
-            (check.vector([x for q in points for x in q], ""), check.vector(weights, ""))]))
+        chain = chain_of({"bspline": {"degree": p, "knots": [str(t) for t in knots], **piece(points, weights)}})
         intervals = [(a, b) for a, b in zip(knots[p:7], knots[p + 1:7]) if a < b]
         self.assertEqual(chain.size, len(intervals))
         for made, (a, b) in zip(chain.pieces, intervals):
@@ -344,8 +349,8 @@ class Geometry(Checks):
                     for axis in range(2)))
 
     def test_box_of_a_run_is_rounded_outwards(self):
-        curve = check.curve_from_json(polygon(("1/3", "-1/3"), ("2/3", 0), ("1/2", "1/3")))
-        whole = check.Cover(check.Chain(curve), False, 2, F(1)).whole
+        chain = chain_of(polygon(("1/3", "-1/3"), ("2/3", 0), ("1/2", "1/3")))
+        whole = msd.Cover(chain, False, 2, F(1)).whole
         self.assertEqual(whole.hull, [(1, -2, 0, 4), (1, 2, 0, 4), (3, -2, 0, 4), (3, 2, 0, 4)])
 
 
@@ -356,7 +361,7 @@ class Tree(Checks):
                 ("bend 1 1", "cone 1 1", "within 45°"),
                 ("bend 1 1", "bend 1 -1", "expected .*αv"),
                 ("far 0 -1", "far 0 0", "not all zero"),
-                ("far 0 -1", "far 0 1", "g > 0, found g = -1"),
+                ("far 0 -1", "far 0 1", "g > 0, found -1"),
                 ("far 0 -1", "far 1 -1", "g > 0"),
                 ("far 0 -1", "cone 0 1", "equal or adjacent"),
                 ("far 0 -1", "bend 1 1", "equal or adjacent"),
@@ -495,9 +500,9 @@ class Upper(Checks):
                 self.reject(self.tamper(circle, **changes), reason)
         self.accept(self.tamper(circle, s="0", t="2", s_side="before", t_side="before"))
         c = certificate(OMEGA, "0", None, "99", {"rule": "root", "s": "0", "s_side": "before", "t": "3", "t_side": "after"})
-        self.reject(c, "no piece ends at 0")
+        self.reject(c, "s_side: expected .after., found .before.")
         c["evidence"]["upper"]["s_side"] = "after"
-        self.reject(c, "no piece begins at 3")
+        self.reject(c, "t_side: expected .before., found .after.")
         fold = {"bezier": {"pieces": [piece([(0, 1), (0, 0), (0, 1)]), piece([(0, 1), (0, 9)])]}}
         c = certificate(fold, "0", None, "99", {"rule": "root", "s": "1/2", "s_side": "after", "t": "3/2", "t_side": "after"})
         self.reject(c, "vanishes")
@@ -571,9 +576,9 @@ class Strictness(Checks):
                 self.reject(self.changed(square(), ("statement", "lower_squared"), text) if text != "inf" else
                             self.changed(square(), ("statement", "upper_squared"), text), "canonical|lowest terms|bits")
         largest = str(2 ** 65536 - 1)
-        self.assertEqual(check.parse_number(largest, "", integer=True), 2 ** 65536 - 1)
-        with self.assertRaises(check.Reject):
-            check.parse_number(str(2 ** 65536), "")
+        self.assertEqual(document.integer(largest, ""), 2 ** 65536 - 1)
+        with self.assertRaises(document.Reject):
+            document.number(str(2 ** 65536), "")
 
     def test_json_text(self):
         text = json.dumps(segment())
@@ -598,7 +603,7 @@ class Strictness(Checks):
         c = square()
         c["curve"]["bezier"]["pieces"][1]["points"][0] = ["1", "1/7"]
         self.reject(c, "to begin where")
-        with self.assertRaisesRegex(check.Reject, "another curve"):
+        with self.assertRaisesRegex(document.Reject, "another curve"):
             check.check_certificate(json.dumps(square()).encode(), "0" * 64)
         one = {"bezier": {"pieces": [dict(piece([(0, 0), (3, 0)]), weights=["1", "1"])]}}
         c = certificate(one, "inf", ["cone 1 0"])
@@ -658,7 +663,7 @@ class Strictness(Checks):
                     damaged = bytearray(data)
                     for _ in range(rng.randint(1, 3)):
                         damaged[rng.randrange(len(damaged))] = rng.randrange(256)
-                    with contextlib.suppress(check.Reject):
+                    with contextlib.suppress(document.Reject):
                         self.accept(bytes(damaged))
 
 
@@ -757,12 +762,18 @@ class Limits(Checks):
             return certificate({"bezier": {"pieces": [piece([(k, 0) for k in range(degree + 1)])]}}, "inf", ["cone 1 0"])
         self.both(line(64))
         self.both(line(65), "from 1 to 64")
-        with mock.patch.object(check, "MAX_COUNT", 4):
+        with mock.patch("curve.MAX_COUNT", 4):
             points = [(str(k), "0") for k in range(5)]
             self.both(self.spline(("0", "1", "2", "3"), points[:4]))
             self.both(self.spline(("0", "1", "2", "3", "4"), points), "4")
             self.both(certificate(polygon(*((x, 0) for x in range(5))), "inf", ["cone 1 0"]))
             self.both(certificate(polygon(*((x, 0) for x in range(6))), "inf", ["cone 1 0"]), "1 to 4")
+
+    def test_a_long_list_is_refused_before_it_is_read(self):
+        reader = document.items(document.number, most=2)
+        self.assertEqual(reader(["1", "1/2"], "x"), [1, F(1, 2)])
+        with self.assertRaisesRegex(document.Reject, "x: expected a list of at most 2"):
+            reader(["", "", ""], "x")
 
     def test_witnesses(self):
         for bits, reason in ((4096, None), (4097, "4096 bits")):

@@ -171,6 +171,14 @@ impl<'a> Context<'a> {
         }
     }
 
+    /// Does a combination of rows prove that K ∩ B is empty?
+    ///
+    /// # Errors
+    /// What it lacks.
+    pub fn check_empty(&self, rows: &[Row], multipliers: &[Integer]) -> Result<(), Failure> {
+        combination::check_empty(self, rows, multipliers)
+    }
+
     fn rows(&self, rows: &[Row]) -> Checked<Vec<Exact>> {
         rows.iter()
             .enumerate()

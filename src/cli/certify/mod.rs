@@ -1,7 +1,9 @@
 //! `knotproof certify`: proves a claim about a curve.
 
 mod atomic_file;
+mod domain;
 mod msd;
+mod output_file;
 mod progress;
 mod report;
 
@@ -20,11 +22,13 @@ pub struct Arguments {
 #[derive(Subcommand)]
 enum Claim {
     Msd(Box<msd::Arguments>),
+    Domain(Box<domain::Arguments>),
 }
 
 /// Runs the subcommand.
 pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     match arguments.claim {
         Claim::Msd(arguments) => msd::run(*arguments),
+        Claim::Domain(arguments) => domain::run(&arguments),
     }
 }

@@ -1,7 +1,6 @@
 //! `knotproof certify msd`: the minimum separation distance.
 
-use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
@@ -11,7 +10,7 @@ use knotproof::number::{Integer, Meaning, Rational, parse_number};
 use knotproof::prove::msd::{Certified, CertifyError, Options, Status, certify};
 use tempfile::SpooledTempFile;
 
-use super::atomic_file::AtomicFile;
+use super::output_file::{Format, Target, encoding};
 use super::progress::Progress;
 use super::report::{Report, Written};
 use crate::cli::failure::Failure;
@@ -61,14 +60,6 @@ enum ConventionName {
     Critical,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum Format {
-    /// Readable, for small certificates
-    Json,
-    /// Compact, for large ones
-    Binary,
-}
-
 /// A relative width, with the text that gave it.
 #[derive(Clone)]
 struct Width {
@@ -88,40 +79,9 @@ fn parse_width(text: &str) -> Result<Width, String> {
     })
 }
 
-impl Arguments {
-    fn encoding(&self, path: &Path) -> Encoding {
-        match self.format {
-            Some(Format::Json) => Encoding::Json,
-            Some(Format::Binary) => Encoding::Binary,
-            None if path.extension() == Some(OsStr::new("bin")) => Encoding::Binary,
-            None => Encoding::Json,
-        }
-    }
-
-    /// The place of the certificate, looked at before the search so that hours are not spent for nothing.
-    fn target(&self) -> Result<Option<AtomicFile>, Failure> {
-        let Some(path) = &self.output else {
-            return Ok(None);
-        };
-        if path == Path::new("-") {
-            return Err(Failure::new(
-                "-o: the certificate cannot be written to standard output, which shows the result; name a file",
-            ));
-        }
-        let target = AtomicFile::new(path)?;
-        match &self.curve {
-            Input::File(curve) if target.replaces(curve) => Err(Failure::at(
-                path.display(),
-                "the certificate would replace the curve file",
-            )),
-            _ => Ok(Some(target)),
-        }
-    }
-}
-
 /// Runs the subcommand.
 pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
-    let target = arguments.target()?;
+    let target = Target::new(arguments.output.as_deref(), &arguments.curve)?;
     if let Some(threads) = arguments.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         pool.build_global().map_err(|error| Failure::at("--threads", error))?;
@@ -145,7 +105,11 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     })?;
     progress.checking();
     let written = match target {
-        Some(target) => Some(write(&mut certified, arguments.encoding(target.path()), &target)?),
+        Some(target) => Some(write(
+            &mut certified,
+            encoding(arguments.format, target.path()),
+            &target,
+        )?),
         None => {
             let mut nowhere = SpooledTempFile::new(1 << 26);
             certified
@@ -175,25 +139,20 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     })
 }
 
-/// Writes the certificate, lets the checker read it back, and only then gives it its name.
-fn write(certified: &mut Certified, encoding: Encoding, target: &AtomicFile) -> Result<Written, Failure> {
-    let mut file = target.begin()?;
-    if let Err(error) = certified.write_checked(encoding, &mut file) {
-        let size = file.as_file().metadata().map_or(0, |metadata| metadata.len());
-        if encoding == Encoding::Json && size >= MAX_JSON_BYTES {
-            let what = "cannot be written: the certificate is above 1 GiB as JSON, use --format binary";
-            return Err(Failure::at(target.path().display(), what));
-        }
-        return Err(failure(&error, Some(target)));
-    }
-    let bytes = target.finish(file)?;
-    Ok(Written {
-        path: target.path().to_path_buf(),
-        bytes,
+fn write(certified: &mut Certified, encoding: Encoding, target: &Target) -> Result<Written, Failure> {
+    target.write(|file| {
+        certified.write_checked(encoding, file).map_err(|error| {
+            let size = file.as_file().metadata().map_or(0, |metadata| metadata.len());
+            if encoding == Encoding::Json && size >= MAX_JSON_BYTES {
+                let what = "cannot be written: the certificate is above 1 GiB as JSON, use --format binary";
+                return Failure::at(target.path().display(), what);
+            }
+            failure(&error, Some(target))
+        })
     })
 }
 
-fn failure(error: &CertifyError, target: Option<&AtomicFile>) -> Failure {
+fn failure(error: &CertifyError, target: Option<&Target>) -> Failure {
     match (error, target) {
         (CertifyError::Io(error), Some(target)) => target.failure(error),
         (CertifyError::Io(error), None) => Failure::io("temporary file", "cannot be written", error),
