@@ -81,7 +81,7 @@ pub fn cases() -> Vec<Case> {
     });
     cases.reject("strict-row-unused", &touching().with("/evidence", weak), rule(negative));
 
-    // At an open end the limit of the sign function is only ≥ 0 on K. The curve begins straight and its last point moves: g is 6x₁ at 0, and more behind it.
+    // At an open end the limit of the sign function is only ≥ 0 on K. The curve begins straight and its last point moves: h has the coefficients 0, x₁/2, x₁, so g = x₁.
     let straight = bezier(json!([[[0, 0], [1, 0], [2, 0], [3, 1]]]));
     let hook = |open: bool, u: &str| {
         touching()
@@ -91,11 +91,10 @@ pub fn cases() -> Vec<Case> {
             .with("/statement/open", json!([open, false]))
             .with("/evidence/rows/0/u", json!(u))
     };
-    cases.reject("open-end", &hook(true, "0"), |_| true);
+    cases.reject("open-end", &hook(true, "0"), rule("a combination constant in x"));
     let strict = |u: &str, multiplier: &str| hook(true, u).with("/evidence/multipliers", json!(["1", multiplier]));
-    // h(u) = 2·(2u·x₁)·… is proportional to x₁: found by halves, h₂ = x₁ at u = 1.
     cases.accept("behind-the-open-end", &strict("1", "1"));
-    cases.reject("at-the-open-end", &strict("0", "2"), rule(negative));
+    cases.reject("at-the-open-end", &strict("0", "1"), rule(negative));
     // A closed end at which the sign function vanishes identically empties K.
     let alone = json!({ "rows": [{ "piece": 0, "u": "0" }], "multipliers": ["1"] });
     cases.accept(
