@@ -1,7 +1,7 @@
 //! Intersections of half-spaces as convex domains give them, with the measure enclosed to 40 bits; one thread.
 //!
 //! `cargo bench --bench polytope`. With `-- --write FOLDER` it writes the systems instead, one file each for other programs: a line with the
-//! dimension and the number of rows, then the rows n₁ … n_D c of n·x + c ≥ 0; and prints name, rows, vertices, facets and seconds, the least of some runs, as a table.
+//! dimension and the number of rows, a line with a point of the interior, then the rows n₁ … n_D c of n·x + c ≥ 0; and prints name, rows, vertices, facets and seconds, the least of some runs, as a table.
 
 #![allow(missing_docs)] // the group that criterion's macro makes
 
@@ -14,6 +14,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use criterion::{Criterion, criterion_group};
+use knotproof::number::{Rational, RationalExt};
 use knotproof::polytope::{HalfSpace, Intersection, Polytope, intersect};
 use systems::Case;
 
@@ -89,10 +90,23 @@ criterion_group! {
     targets = benches
 }
 
+/// A point of the interior with short coordinates: the mean of the vertices in binary64.
+fn inside<const D: usize>(polytope: &Polytope<D>) -> String {
+    let count = polytope.vertex_count();
+    let mean = |i: usize| {
+        (0..count)
+            .map(|vertex| polytope.vertex_approximation(vertex).0[i])
+            .sum::<f64>()
+            / count as f64
+    };
+    let exact = (0..D).map(|i| Rational::from_f64(mean(i)).expect("finite").to_string());
+    exact.collect::<Vec<_>>().join(" ")
+}
+
 fn write<const D: usize>(folder: &Path, cases: &[Case<D>]) {
     for case in cases {
         let rows = case.rows();
-        let mut text = format!("{D} {}\n", rows.len());
+        let mut text = format!("{D} {}\n{}\n", rows.len(), inside(&whole(&rows)));
         for row in &rows {
             for number in &row.normal {
                 write!(text, "{number} ").expect("a string takes all");

@@ -25,22 +25,17 @@ static FT number(const Z& integer) { return FT(Q(integer)); }
 
 static double seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-// The same point of the interior for all: the centroid of the box, given by the last rows, is the curve's own free point.
-static std::vector<FT> inside(const std::vector<std::vector<Z>>& rows, int dimension) {
-    std::vector<FT> point;
-    for (int axis = 0; axis < dimension; ++axis) {
-        const auto& low = rows[rows.size() - 2 * dimension + 2 * axis];
-        const auto& high = rows[rows.size() - 2 * dimension + 2 * axis + 1];
-        point.push_back((number(high[dimension]) - number(low[dimension])) / FT(2));
-    }
-    return point;
-}
-
 int main(int argc, char** argv) {
     if (argc < 3) return 2;
     std::ifstream file(argv[1]);
     int dimension, count;
     file >> dimension >> count;
+    std::vector<FT> o;
+    for (int axis = 0; axis < dimension; ++axis) {
+        Q coordinate;
+        file >> coordinate;
+        o.emplace_back(coordinate);
+    }
     std::vector<std::vector<Z>> rows(count, std::vector<Z>(dimension + 1));
     for (auto& row : rows)
         for (auto& number : row) file >> number;
@@ -48,7 +43,6 @@ int main(int argc, char** argv) {
     std::size_t vertices = 0, facets = 0;
     for (int run = 0; run < std::atoi(argv[2]); ++run) {
         const double start = seconds();
-        const auto o = inside(rows, dimension);
         double middle;
         if (dimension == 3) {
             using Mesh = CGAL::Surface_mesh<K::Point_3>;

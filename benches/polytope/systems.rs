@@ -30,7 +30,7 @@ impl<const D: usize> Case<D> {
         };
         let origin = at(None);
         let units: [Vec<Integer>; D] = std::array::from_fn(|axis| at(Some(axis)));
-        // The function has the sign it has for the curve as it is.
+        // The sign is that of the curve as it is at its start.
         let value = |row: &HalfSpace<D>| -> Integer {
             let here = self.points[self.free];
             (0..D).map(|i| &row.normal[i] * Integer::from(here[i])).sum::<Integer>() + &row.constant
