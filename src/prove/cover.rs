@@ -195,32 +195,32 @@ impl<'n, 's> Search<'n, 's> {
 
     fn split(&mut self, a: &Node, b: Option<&Node>, contact: Contact) -> Result<(), Event> {
         let Some(b) = b else {
-            let (left, right) = self.nodes.halves(a).expect("a point element is not paired with itself");
+            let halves = self.nodes.halves(a);
+            let (left, right) = halves.as_ref().expect("a point element is not paired with itself");
             self.emit(&Token::Split);
             let between = Contact {
                 forward: true,
                 backward: self.nodes.floats.closed && self.nodes.is_whole(a),
             };
-            self.pair(&left, None, Contact::default())?;
-            self.pair(&left, Some(&right), between)?;
-            return self.pair(&right, None, Contact::default());
+            self.pair(left, None, Contact::default())?;
+            self.pair(left, Some(right), between)?;
+            return self.pair(right, None, Contact::default());
         };
-        if splits_first(a, b) {
-            let Some((left, right)) = self.nodes.halves(a) else {
-                return Err(self.stuck(a, Some(b), contact));
-            };
+        let first = splits_first(a, b);
+        let halves = self.nodes.halves(if first { a } else { b });
+        let Some((left, right)) = &halves else {
+            return Err(self.stuck(a, Some(b), contact));
+        };
+        if first {
             self.emit(&Token::First);
-            let (of_left, of_right) = contact.of_first_halves(&left, &right);
-            self.pair(&left, Some(b), of_left)?;
-            self.pair(&right, Some(b), of_right)
+            let (of_left, of_right) = contact.of_first_halves(left, right);
+            self.pair(left, Some(b), of_left)?;
+            self.pair(right, Some(b), of_right)
         } else {
-            let Some((left, right)) = self.nodes.halves(b) else {
-                return Err(self.stuck(a, Some(b), contact));
-            };
             self.emit(&Token::Second);
-            let (of_left, of_right) = contact.of_second_halves(&left, &right);
-            self.pair(a, Some(&left), of_left)?;
-            self.pair(a, Some(&right), of_right)
+            let (of_left, of_right) = contact.of_second_halves(left, right);
+            self.pair(a, Some(left), of_left)?;
+            self.pair(a, Some(right), of_right)
         }
     }
 

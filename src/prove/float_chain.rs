@@ -150,6 +150,16 @@ impl FloatChain {
         });
     }
 
+    /// The coefficients of all pieces: for each its homogeneous control points and then those of D.
+    pub fn coefficients(&self) -> &[Vector] {
+        &self.coefficients
+    }
+
+    /// Where the coefficients of a piece start among those of all.
+    pub fn start(&self, piece: usize) -> usize {
+        self.pieces[piece].start
+    }
+
     /// The homogeneous control points of a piece.
     pub fn points(&self, piece: usize) -> &[Vector] {
         let data = &self.pieces[piece];
