@@ -32,15 +32,17 @@ pub fn check<W: Word>(context: &Context, a: &Node, b: Option<&Node>, factors: &[
         None => None,
     };
     let second = tangents_b.as_ref().unwrap_or(&tangents_a);
-    let mut path = tangents_a.of_pieces().chain(second.of_pieces()).peekable();
-    if path.peek().is_none() {
+    // X, which for one node is counted once.
+    let path = [Some(&tangents_a), tangents_b.as_ref()].into_iter().flatten();
+    if path.clone().all(|tangents| tangents.of_pieces().next().is_none()) {
         return Some(fails("a node of positive length", "point elements only".into()));
     }
-    let path: Vec<&[W; 3]> = path.collect();
     let holds = all_combinations(&tangents_a, second, &alpha, &beta, |y| {
-        for x in &path {
-            if dot(y, x)?.sign() != Ordering::Greater {
-                return Some(false);
+        for tangents in path.clone() {
+            for x in tangents.of_pieces().flatten() {
+                if dot(y, x)?.sign() != Ordering::Greater {
+                    return Some(false);
+                }
             }
         }
         Some(true)
