@@ -143,30 +143,38 @@ struct ChordProducts {
     range: [f64; 2],
 }
 
+#[inline(always)]
+fn products(points: &[Vector], tangents: &[Vector], origin: &Vector) -> Products {
+    let mut products = Products::from_elem(0.0, points.len() * tangents.len());
+    let all = products.as_mut_slice();
+    for i in 0..points.len() {
+        let local = sub(&points[i], origin);
+        for k in 0..tangents.len() {
+            all[i * tangents.len() + k] = dot(&local, &tangents[k]);
+        }
+    }
+    products
+}
+
+/// Least and greatest product with tangent `k` of `count`.
+#[inline(always)]
+fn bounds(products: &[f64], count: usize, k: usize) -> [f64; 2] {
+    let mut bounds = [products[k], products[k]];
+    for i in 1..products.len() / count {
+        let product = products[i * count + k];
+        bounds = [lesser(product, bounds[0]), greater(product, bounds[1])];
+    }
+    bounds
+}
+
 impl ChordProducts {
     #[inline(always)]
     fn new(points_a: &[Vector], points_b: &[Vector], tangents: &[Vector], origin: &Vector) -> Self {
-        let products = |points: &[Vector]| {
-            let mut products = Products::from_elem(0.0, points.len() * tangents.len());
-            for (point, products) in points.iter().zip(products.chunks_exact_mut(tangents.len())) {
-                let local = sub(point, origin);
-                for (tangent, product) in tangents.iter().zip(products) {
-                    *product = dot(&local, tangent);
-                }
-            }
-            products
-        };
-        let (of_a, of_b) = (products(points_a), products(points_b));
+        let of_a = products(points_a, tangents, origin);
+        let of_b = products(points_b, tangents, origin);
         let mut all = [f64::INFINITY, f64::NEG_INFINITY];
         for k in 0..tangents.len() {
-            let bounds = |products: &Products| {
-                let mut bounds = [products[k], products[k]];
-                for products in products.chunks_exact(tangents.len()).skip(1) {
-                    bounds = [lesser(products[k], bounds[0]), greater(products[k], bounds[1])];
-                }
-                bounds
-            };
-            let (p, q) = (bounds(&of_a), bounds(&of_b));
+            let (p, q) = (bounds(&of_a, tangents.len(), k), bounds(&of_b, tangents.len(), k));
             all = [lesser(p[0] - q[1], all[0]), greater(p[1] - q[0], all[1])];
         }
         ChordProducts { of_a, of_b, range: all }
