@@ -18,6 +18,7 @@ pub struct Rectangle {
 pub type Signs = [i8; 2];
 
 /// Does αa + βb exceed |α|·errors[0] + |β|·errors[1] on all rectangles, with signs that are allowed?
+#[inline]
 fn works(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs, factors: [i64; 2]) -> bool {
     let [alpha, beta] = factors.map(|factor| factor as f64);
     let margin = (alpha.abs() * errors[0] + beta.abs() * errors[1]) * 1.000_001;
@@ -32,18 +33,16 @@ fn works(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs, factors: [i64
 
 /// Integers α, β with αa + βb > |α|·errors[0] + |β|·errors[1] on all rectangles.
 pub fn choose(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs) -> Option<[i64; 2]> {
-    let units = [[1, 0], [-1, 0], [0, 1], [0, -1]].into_iter();
-    let mut units = units.filter(|factors| works(rectangles, errors, signs, *factors));
-    units.next().or_else(|| choose_mixed(rectangles, errors, signs))
-}
-
-/// The same where α = 0 and β = 0 are known not to serve.
-fn choose_mixed(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs) -> Option<[i64; 2]> {
+    // Where no half-plane is left, nothing can serve.
     let mut span = Span::default();
     if !rectangles.iter().all(|rectangle| span.include(rectangle)) {
         return None;
     }
-    round_bisector(rectangles, span.bisector()?, errors, signs)
+    let units = [[1, 0], [-1, 0], [0, 1], [0, -1]].into_iter();
+    let mut units = units.filter(|factors| works(rectangles, errors, signs, *factors));
+    units
+        .next()
+        .or_else(|| round_bisector(rectangles, span.bisector()?, errors, signs))
 }
 
 /// Rounds a bisector, from few bits to many, until it serves.

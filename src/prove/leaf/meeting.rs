@@ -73,37 +73,47 @@ pub fn bend(nodes: &Nodes, a: &Node, b: Option<&Node>, signs: Signs) -> Option<L
         return None;
     }
     let (v, w) = (nodes.tangents(a), nodes.tangents(second));
+    let path = [a, second].map(|node| if node.is_point() { &[][..] } else { nodes.tangents(node) });
+    // The path of one node with itself is its own.
+    let path = [path[0], if b.is_some() { path[1] } else { &[] }];
+    // Most pieces are cubics; where the compiler knows the numbers of tangents, it needs no loops.
+    if let (Ok(v), Ok(w)) = (<&[Vector; 3]>::try_from(v), <&[Vector; 3]>::try_from(w)) {
+        return bend_of_tangents([a, second], [v, w], path, signs);
+    }
+    bend_of_tangents([a, second], [v, w], path, signs)
+}
+
+#[inline(always)]
+fn bend_of_tangents(nodes: [&Node; 2], [v, w]: [&[Vector]; 2], path: [&[Vector]; 2], signs: Signs) -> Option<Leaf> {
     if has_zero(v) || has_zero(w) {
         return None;
     }
-    let range = |x: &Vector, vectors: &[Vector]| {
-        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-        for v in vectors {
-            let product = dot(x, v);
-            range = [lesser(product, range[0]), greater(product, range[1])];
-        }
-        range
-    };
-    let mut rectangles: SmallVec<[Rectangle; 16]> = SmallVec::new();
-    let mut include = |node: &Node| {
-        // The path of one node with itself is its own.
-        if !node.is_point() {
-            rectangles.extend(nodes.tangents(node).iter().map(|x| Rectangle {
-                a: range(x, v),
-                b: range(x, w),
-            }));
-        }
-    };
-    include(a);
-    if let Some(b) = b {
-        include(b);
+    let mut rectangles: SmallVec<[Rectangle; 8]> = SmallVec::new();
+    for x in path.into_iter().flatten() {
+        rectangles.push(Rectangle {
+            a: range(x, v),
+            b: range(x, w),
+        });
     }
-    let most = |vectors: &[Vector]| vectors.iter().fold(0.0, |most, v| greater(norm1(v), most));
-    let (size, tangent_error) = (
-        greater(most(v), most(w)),
-        greater(a.tangent_error, second.tangent_error),
-    );
+    let size = greater(greatest_norm(v), greatest_norm(w));
+    let tangent_error = greater(nodes[0].tangent_error, nodes[1].tangent_error);
     let error = 2.0 * size * tangent_error + 3.0 * tangent_error * tangent_error + 8.0 * UNIT * size * size;
     let factors = choose(&rectangles, [error, error], signs)?;
     Some(Leaf::Bend(factors.map(Into::into)))
+}
+
+/// Least and greatest product with some vectors.
+#[inline(always)]
+fn range(x: &Vector, vectors: &[Vector]) -> [f64; 2] {
+    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+    for v in vectors {
+        let product = dot(x, v);
+        range = [lesser(product, range[0]), greater(product, range[1])];
+    }
+    range
+}
+
+#[inline(always)]
+fn greatest_norm(vectors: &[Vector]) -> f64 {
+    vectors.iter().fold(0.0, |most, v| greater(norm1(v), most))
 }
