@@ -24,6 +24,7 @@ impl Cone {
     };
 
     /// The cone around the sum of the directions, zero vectors left out.
+    #[inline]
     pub fn around<'v>(vectors: impl Iterator<Item = &'v Vector>) -> Cone {
         let mut sum = [0.0; 4];
         let mut directions: SmallVec<[Vector; 8]> = SmallVec::new();

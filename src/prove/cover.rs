@@ -241,11 +241,11 @@ impl<'n, 's> Search<'n, 's> {
     /// Now and then, where all chords of a pair are shorter than the bound asked for: is there a double normal?
     fn shorter_double_normal(&self, a: &Node, b: Option<&Node>, contact: Contact) -> Option<Event> {
         let b = b?;
-        let (s, t) = (a.middle()?, b.middle()?);
         let depth = a.depth() + b.depth();
         if contact.any() || depth < 4 || !depth.is_multiple_of(6) {
             return None;
         }
+        let (s, t) = (a.middle()?, b.middle()?);
         let mut most = 0.0;
         for axis in 0..3 {
             let reach = (a.high[axis] - b.low[axis]).max(b.high[axis] - a.low[axis]);

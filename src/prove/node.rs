@@ -160,7 +160,7 @@ impl<'s> Nodes<'s> {
             run_cones,
             grid_unit,
             fixed: floats.coefficients(),
-            stack: Vec::new(),
+            stack: Vec::with_capacity(256),
             height: 0,
         }
     }
@@ -180,7 +180,7 @@ impl<'s> Nodes<'s> {
         let place = self.height;
         self.height += count;
         if self.stack.len() < self.height {
-            self.stack.resize(2 * self.height + 256, [0.0; 4]);
+            self.stack.resize(self.height, [0.0; 4]);
         }
         place
     }
@@ -402,7 +402,11 @@ impl<'s> Nodes<'s> {
         match node.kind {
             Kind::Run { number, .. } => self.run_cones[number],
             Kind::Part { piece, depth: 0, .. } => self.floats.pieces[piece].cone,
-            _ => Cone::around(self.tangents(node).iter()),
+            _ => match <&[Vector; 3]>::try_from(self.tangents(node)) {
+                // Without loops for cubics.
+                Ok(tangents) => Cone::around(tangents.iter()),
+                Err(_) => Cone::around(self.tangents(node).iter()),
+            },
         }
     }
 
