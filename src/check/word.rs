@@ -61,7 +61,7 @@ pub trait Word: Clone + Ord {
 }
 
 macro_rules! machine_word {
-    ($type:ty, $borrowed:ident) => {
+    ($type:ty, $borrowed:ident, $times:expr) => {
         impl Word for $type {
             #[inline]
             fn $borrowed(vectors: &[[Self; 3]]) -> Option<Cow<'_, [[Self; 3]]>> {
@@ -99,7 +99,7 @@ macro_rules! machine_word {
             }
             #[inline]
             fn times(&self, other: &Self) -> Option<Self> {
-                self.checked_mul(*other)
+                $times(*self, *other)
             }
             #[inline]
             fn doubled(&self, bits: u32) -> Option<Self> {
@@ -118,8 +118,17 @@ macro_rules! machine_word {
     };
 }
 
-machine_word!(i64, of_narrow);
-machine_word!(i128, of_wide);
+machine_word!(i64, of_narrow, i64::checked_mul);
+machine_word!(i128, of_wide, checked_product);
+
+/// The product of two 128-bit integers. Mostly both have at most 64 bits, and then it always fits: its magnitude is at most 2^126.
+#[inline]
+fn checked_product(a: i128, b: i128) -> Option<i128> {
+    match (i64::try_from(a), i64::try_from(b)) {
+        (Ok(a), Ok(b)) => Some(i128::from(a) * i128::from(b)),
+        _ => a.checked_mul(b),
+    }
+}
 
 /// The product of two 128-bit integers, which always fits: its magnitude is at most 2^254.
 #[inline]
