@@ -3,7 +3,7 @@
 //! Both rules ask for αa + βb > 0 at all points (a, b) of a set of rectangles. The directions of these points must leave out a half-plane; then the
 //! bisector of the cone they span is the safest (α, β), and a rounded one with few bits mostly does.
 
-use super::vector::{greater, lesser};
+use super::vector::{greater, lesser, nearest_integer};
 
 /// a between `a[0]` and `a[1]`, b between `b[0]` and `b[1]`.
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +55,7 @@ pub fn round_bisector(
     let greatest = alpha.abs().max(beta.abs());
     [2u32, 4, 7, 12, 20, 30].into_iter().find_map(|bits| {
         let factor = ((1i64 << bits) - 1) as f64 / greatest;
-        let factors = [(alpha * factor).round() as i64, (beta * factor).round() as i64];
+        let factors = [nearest_integer(alpha * factor), nearest_integer(beta * factor)];
         if !works(rectangles, errors, signs, factors) {
             return None;
         }

@@ -60,24 +60,18 @@ pub fn far(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> Option<Leaf> {
     if target.length.is_infinite() {
         return None;
     }
-    let mut apart = [0.0; 4];
+    // Along each axis how far a is above b, or below.
+    let (above, below) = (sub(&a.low, &b.high), sub(&b.low, &a.high));
+    let needed = target.length + a.margin + b.margin;
     for axis in 0..3 {
-        apart[axis] = if a.low[axis] > b.high[axis] {
-            a.low[axis] - b.high[axis]
-        } else if b.low[axis] > a.high[axis] {
-            a.high[axis] - b.low[axis]
-        } else {
-            0.0
-        };
-    }
-    let error = a.margin + b.margin;
-    for axis in 0..3 {
-        if apart[axis].abs() - error > target.length {
+        if greater(above[axis], below[axis]) > needed {
             let mut n = [0; 3];
-            n[axis] = if apart[axis] > 0.0 { 1 } else { -1 };
+            n[axis] = if above[axis] > 0.0 { 1 } else { -1 };
             return Some(far_leaf(n));
         }
     }
+    let apart = [0, 1, 2].map(|axis| greater(above[axis], 0.0) - greater(below[axis], 0.0));
+    let apart = [apart[0], apart[1], apart[2], 0.0];
     let between = dot(&apart, &apart).sqrt();
     if between > target.length
         && let Some(leaf) = rounded_far(nodes, a, b, &apart, between, target)
@@ -94,7 +88,8 @@ pub fn far(nodes: &Nodes, a: &Node, b: &Node, target: Target) -> Option<Leaf> {
 fn rounded_far(nodes: &Nodes, a: &Node, b: &Node, direction: &Vector, length: f64, target: Target) -> Option<Leaf> {
     // A direction off by the angle φ loses the factor cos φ ≈ 1 − φ²/2 of the gap, and bits bits leave φ ≈ 2^-bits.
     let slack = (length / target.length - 1.0).max(1e-24);
-    let needed = (-0.5 * slack.log2()).max(0.0) as u32;
+    // Half of −log₂ of the slack, from its binary exponent, rounded down.
+    let needed = (1022u64.saturating_sub(slack.to_bits() >> 52) / 2) as u32;
     for bits in BITS.into_iter().filter(|bits| *bits >= needed) {
         let n = quantised(direction, bits);
         let as_float = from_integers(&n);

@@ -86,6 +86,13 @@ pub fn unit(a: &Vector) -> Option<Vector> {
     (square > 0.0 && square.is_finite()).then(|| scale(a, 1.0 / square.sqrt()))
 }
 
+/// An integer nearest to x, as far as it matters for a choice: near the middle between two integers it may be the wrong one of them.
+#[inline]
+pub fn nearest_integer(x: f64) -> i64 {
+    // Faster than `round`, which is a function call on processors of old.
+    (x + 0.5f64.copysign(x)) as i64
+}
+
 /// The integer vector nearest to a multiple of `a` whose greatest component is 2^bits − 1.
 pub fn quantised(a: &Vector, bits: u32) -> [i64; 3] {
     let greatest = greatest(a);
@@ -94,7 +101,7 @@ pub fn quantised(a: &Vector, bits: u32) -> [i64; 3] {
     }
     // Divided first, so that neither tiny nor huge vectors leave the range.
     let factor = ((1i64 << bits) - 1) as f64;
-    [0, 1, 2].map(|i| (a[i] / greatest * factor).round() as i64)
+    [0, 1, 2].map(|i| nearest_integer(a[i] / greatest * factor))
 }
 
 /// An integer vector as floats; exact below 2^53.
