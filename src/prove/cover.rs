@@ -194,9 +194,12 @@ impl<'n, 's> Search<'n, 's> {
     }
 
     fn split(&mut self, a: &Node, b: Option<&Node>, contact: Contact) -> Result<(), Event> {
+        let mut halves = [Node::NONE; 2];
         let Some(b) = b else {
-            let halves = self.nodes.halves(a);
-            let (left, right) = halves.as_ref().expect("a point element is not paired with itself");
+            if !self.nodes.halves(a, &mut halves) {
+                return Err(self.stuck(a, None, contact));
+            }
+            let [left, right] = &halves;
             self.emit(&Token::Split);
             let between = Contact {
                 forward: true,
@@ -207,10 +210,10 @@ impl<'n, 's> Search<'n, 's> {
             return self.pair(right, None, Contact::default());
         };
         let first = splits_first(a, b);
-        let halves = self.nodes.halves(if first { a } else { b });
-        let Some((left, right)) = &halves else {
+        if !self.nodes.halves(if first { a } else { b }, &mut halves) {
             return Err(self.stuck(a, Some(b), contact));
-        };
+        }
+        let [left, right] = &halves;
         if first {
             self.emit(&Token::First);
             let (of_left, of_right) = contact.of_first_halves(left, right);

@@ -58,6 +58,25 @@ pub struct Node {
 }
 
 impl Node {
+    /// A node to be overwritten.
+    pub const NONE: Node = Node {
+        kind: Kind::Run {
+            number: 0,
+            first: 0,
+            last: 0,
+        },
+        low: [0.0; 4],
+        high: [0.0; 4],
+        error: 0.0,
+        margin: 0.0,
+        tangent_error: 0.0,
+        has_end: false,
+        start: 0,
+        hull: 0,
+        points: 0,
+        tangents: 0,
+    };
+
     /// Is it a run?
     pub fn is_run(&self) -> bool {
         matches!(self.kind, Kind::Run { .. })
@@ -200,29 +219,30 @@ impl<'s> Nodes<'s> {
     }
 
     /// The node of the elements `first … last−1`, which is run `number` if there are at least two.
-    #[inline]
     pub fn of_elements(&mut self, number: usize, first: usize, last: usize) -> Node {
+        let mut node = Node::NONE;
+        self.write_elements(number, first, last, &mut node);
+        node
+    }
+
+    /// The same, written where it is to be: nodes are large, and moving them takes time.
+    #[inline]
+    fn write_elements(&mut self, number: usize, first: usize, last: usize, node: &mut Node) {
         if last - first >= 2 {
             let elements = &self.context.elements;
-            let [low, high] = self.run_box(number);
             let is_end = |i: usize| matches!(elements.get(i), Element::Start | Element::End);
-            return Node {
-                kind: Kind::Run { number, first, last },
-                low,
-                high,
-                error: 0.0,
-                margin: 4.0 * UNIT * reach(&low, &high),
-                tangent_error: 0.0,
-                has_end: is_end(first) || is_end(last - 1),
-                start: 0,
-                hull: 0,
-                points: 0,
-                tangents: 0,
-            };
+            [node.low, node.high] = self.run_box(number);
+            node.kind = Kind::Run { number, first, last };
+            node.error = 0.0;
+            node.margin = 4.0 * UNIT * reach(&node.low, &node.high);
+            node.tangent_error = 0.0;
+            node.has_end = is_end(first) || is_end(last - 1);
+            (node.start, node.hull, node.points, node.tangents) = (0, 0, 0, 0);
+            return;
         }
         match self.context.elements.get(first) {
-            Element::Piece(piece) => self.part(piece, 0, 0, self.floats.start(piece)),
-            point => self.point(point),
+            Element::Piece(piece) => self.write_part(piece, 0, 0, self.floats.start(piece), node),
+            point => *node = self.point(point),
         }
     }
 
@@ -313,57 +333,57 @@ impl<'s> Nodes<'s> {
         }
     }
 
-    /// A part whose coefficients start at `start`.
-    fn part(&mut self, piece: usize, index: u128, depth: u32, start: usize) -> Node {
+    /// Writes a part whose coefficients start at `start`.
+    fn write_part(&mut self, piece: usize, index: u128, depth: u32, start: usize, node: &mut Node) {
         let data = &self.floats.pieces[piece];
-        let (points, tangents) = (data.degree as u32 + 1, data.tangent_degree as u32 + 1);
-        let (mut error, weight_error, tangent_error) = self.floats.errors(piece, depth);
-        let mut hull = start;
-        if data.rational {
-            let place = self.take(points as usize);
-            hull = self.fixed.len() + place;
-            let (mut least_weight, mut greatest) = (f64::INFINITY, 0.0f64);
-            for k in 0..points as usize {
-                let homogeneous = self.vectors(start, points)[k];
-                let point = super::vector::scale(&homogeneous, 1.0 / homogeneous[3]);
-                least_weight = least_weight.min(homogeneous[3]);
-                greatest = greatest.max(super::vector::greatest(&point));
-                self.stack[place + k] = point;
-            }
-            error = affine_error(error, weight_error, least_weight, greatest);
-        }
-        let all = self.vectors(hull, points);
+        node.points = data.degree as u32 + 1;
+        node.tangents = data.tangent_degree as u32 + 1;
+        let (error, weight_error, tangent_error) = self.floats.errors(piece, depth);
+        (node.hull, node.error) = if data.rational {
+            self.affine_hull(start, node.points, error, weight_error)
+        } else {
+            (start, error)
+        };
+        let all = self.vectors(node.hull, node.points);
         let (mut low, mut high) = (all[0], all[0]);
         for point in &all[1..] {
             low = lesser_of_each(point, &low);
             high = greater_of_each(point, &high);
         }
-        Node {
-            kind: Kind::Part { piece, index, depth },
-            low,
-            high,
-            error,
-            margin: error + 4.0 * UNIT * reach(&low, &high),
-            tangent_error,
-            has_end: false,
-            start,
-            hull,
-            points,
-            tangents,
-        }
+        (node.low, node.high) = (low, high);
+        node.kind = Kind::Part { piece, index, depth };
+        node.margin = node.error + 4.0 * UNIT * reach(&low, &high);
+        node.tangent_error = tangent_error;
+        node.has_end = false;
+        node.start = start;
     }
 
-    /// The two halves of a node; `None` for a corner or an end.
-    pub fn halves(&mut self, node: &Node) -> Option<(Node, Node)> {
+    /// Puts the affine points of a rational part on the stack; returns where they are and the error bound of their coordinates.
+    #[inline(never)]
+    fn affine_hull(&mut self, start: usize, points: u32, error: f64, weight_error: f64) -> (usize, f64) {
+        let place = self.take(points as usize);
+        let (mut least_weight, mut greatest) = (f64::INFINITY, 0.0f64);
+        for k in 0..points as usize {
+            let homogeneous = self.vectors(start, points)[k];
+            let point = super::vector::scale(&homogeneous, 1.0 / homogeneous[3]);
+            least_weight = least_weight.min(homogeneous[3]);
+            greatest = greatest.max(super::vector::greatest(&point));
+            self.stack[place + k] = point;
+        }
+        let error = affine_error(error, weight_error, least_weight, greatest);
+        (self.fixed.len() + place, error)
+    }
+
+    /// Writes the two halves of a node; `false` for a corner or an end, which has none.
+    pub fn halves(&mut self, node: &Node, [left, right]: &mut [Node; 2]) -> bool {
+        use crate::check::boxes::Boxes;
         match node.kind {
             Kind::Run { number, first, last } => {
                 let middle = (first + last) / 2;
-                Some((
-                    self.of_elements(crate::check::boxes::Boxes::left(number), first, middle),
-                    self.of_elements(crate::check::boxes::Boxes::right(number, middle - first), middle, last),
-                ))
+                self.write_elements(Boxes::left(number), first, middle, left);
+                self.write_elements(Boxes::right(number, middle - first), middle, last, right);
             }
-            Kind::Point(_) => None,
+            Kind::Point(_) => return false,
             Kind::Part { piece, index, depth } => {
                 let (points, tangents) = (node.points as usize, node.tangents as usize);
                 let size = points + tangents;
@@ -373,16 +393,15 @@ impl<'s> Nodes<'s> {
                     None => &self.fixed[node.start..node.start + size],
                     Some(place) => &below[place..place + size],
                 };
-                let (left, right) = above[..2 * size].split_at_mut(size);
-                halve(&from[..points], &mut left[..points], &mut right[..points]);
-                halve(&from[points..], &mut left[points..], &mut right[points..]);
+                let (first, second) = above[..2 * size].split_at_mut(size);
+                halve(&from[..points], &mut first[..points], &mut second[..points]);
+                halve(&from[points..], &mut first[points..], &mut second[points..]);
                 let start = self.fixed.len() + place;
-                Some((
-                    self.part(piece, 2 * index, depth + 1, start),
-                    self.part(piece, 2 * index + 1, depth + 1, start + size),
-                ))
+                self.write_part(piece, 2 * index, depth + 1, start, left);
+                self.write_part(piece, 2 * index + 1, depth + 1, start + size, right);
             }
         }
+        true
     }
 
     /// Hull points of a part, a corner or an end.

@@ -81,8 +81,9 @@ impl Seeds<'_, '_> {
                 return;
             }
             let mark = self.nodes.mark();
-            let halves = self.nodes.halves(a);
-            if let Some((left, right)) = &halves {
+            let mut halves = [Node::NONE; 2];
+            if self.nodes.halves(a, &mut halves) {
+                let [left, right] = &halves;
                 let between = Contact {
                     forward: true,
                     backward: self.nodes.floats.closed && self.nodes.is_whole(a),
@@ -113,8 +114,9 @@ impl Seeds<'_, '_> {
         }
         let mark = self.nodes.mark();
         let first = splits_first(a, b);
-        let halves = self.nodes.halves(if first { a } else { b });
-        if let Some((left, right)) = &halves {
+        let mut halves = [Node::NONE; 2];
+        if self.nodes.halves(if first { a } else { b }, &mut halves) {
+            let [left, right] = &halves;
             let (of_left, of_right) = if first {
                 contact.of_first_halves(left, right)
             } else {
