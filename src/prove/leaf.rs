@@ -10,7 +10,7 @@ use super::node::{Node, Nodes};
 use super::vector::{Vector, dot, from_integers, greater, lesser, norm1, quantised, scale, sub};
 use crate::claim::tree::Leaf;
 pub use meeting::{bend, cone};
-pub use not_normal::{excludes_normals, not_normal};
+pub use not_normal::not_normal;
 
 /// The bound that `far` leaves must reach.
 #[derive(Clone, Copy, Debug)]

@@ -105,7 +105,7 @@ impl Seeds<'_, '_> {
         if touching && self.gentle(a, b) {
             return;
         }
-        if !touching && (a.is_run() || b.is_run()) && leaf::excludes_normals(self.nodes, a, b) {
+        if !touching && (a.is_run() || b.is_run()) && leaf::not_normal(self.nodes, a, b).is_some() {
             return;
         }
         self.suspicious |= touching && a.depth().max(b.depth()) >= DEPTH;
@@ -161,7 +161,7 @@ impl Seeds<'_, '_> {
         if !straight(a) || !straight(b) {
             return false;
         }
-        if leaf::excludes_normals(self.nodes, a, b) {
+        if leaf::not_normal(self.nodes, a, b).is_some() {
             return true;
         }
         if a.is_point() || b.is_point() {

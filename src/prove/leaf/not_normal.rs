@@ -10,65 +10,35 @@ use crate::prove::vector::{Vector, dot, greater, lesser, norm1, sub};
 
 /// `not_normal` for two different nodes that are not adjacent.
 pub fn not_normal(nodes: &Nodes, a: &Node, b: &Node) -> Option<Leaf> {
-    let signs = allowed_signs(a, b);
-    match side(nodes, a, b, signs)? {
-        Side::Unit(factors) => Some(factors),
-        Side::Mixed {
-            rectangles,
-            span,
-            errors,
-        } => round_bisector(&rectangles, span.bisector()?, errors, signs),
-    }
-    .map(|factors| Leaf::NotNormal(factors.map(Into::into)))
+    let signs: Signs = [if a.has_end { -1 } else { 0 }, if b.has_end { -1 } else { 0 }];
+    let factors = if a.is_run() || b.is_run() {
+        factors_of_runs(nodes, a, b, signs)
+    } else {
+        factors_of_parts(nodes, a, b, signs)
+    }?;
+    Some(Leaf::NotNormal(factors.map(Into::into)))
 }
 
-/// Is there such a leaf, as far as can be seen without its factors? For the first pass, which needs no witness.
-pub fn excludes_normals(nodes: &Nodes, a: &Node, b: &Node) -> bool {
-    side(nodes, a, b, allowed_signs(a, b)).is_some()
-}
-
-fn allowed_signs(a: &Node, b: &Node) -> Signs {
-    [if a.has_end { -1 } else { 0 }, if b.has_end { -1 } else { 0 }]
-}
-
-/// On which side of what line through 0 the products ((p−q)·v, (p−q)·w) are.
-enum Side {
-    /// α or β is 0.
-    Unit([i64; 2]),
-    /// Neither is.
-    Mixed {
-        rectangles: Rectangles,
-        span: Span,
-        errors: [f64; 2],
-    },
-}
-
-/// One rectangle of products for each chord; on the stack up to cubics.
-type Rectangles = SmallVec<[Rectangle; 16]>;
-
-fn side(nodes: &Nodes, a: &Node, b: &Node, signs: Signs) -> Option<Side> {
-    if a.is_run() || b.is_run() {
-        return side_of_runs(nodes, a, b, signs).map(Side::Unit);
-    }
+fn factors_of_parts(nodes: &Nodes, a: &Node, b: &Node, signs: Signs) -> Option<[i64; 2]> {
     let (points, tangents) = ([nodes.hull(a), nodes.hull(b)], [nodes.tangents(a), nodes.tangents(b)]);
     // Most pieces are cubics; where the compiler knows the numbers of points, it needs no loops.
     if let ([Ok(p), Ok(q)], [Ok(v), Ok(w)]) = (
         points.map(<&[Vector; 4]>::try_from),
         tangents.map(<&[Vector; 3]>::try_from),
     ) {
-        return side_of_parts(a, b, signs, [p, q], [v, w]);
+        return factors_of_geometry(a, b, signs, [p, q], [v, w]);
     }
-    side_of_parts(a, b, signs, points, tangents)
+    factors_of_geometry(a, b, signs, points, tangents)
 }
 
 #[inline(always)]
-fn side_of_parts(
+fn factors_of_geometry(
     a: &Node,
     b: &Node,
     signs: Signs,
     [points_a, points_b]: [&[Vector]; 2],
     [tangents_a, tangents_b]: [&[Vector]; 2],
-) -> Option<Side> {
+) -> Option<[i64; 2]> {
     if has_zero(tangents_a) || has_zero(tangents_b) {
         return None;
     }
@@ -90,7 +60,7 @@ fn side_of_parts(
         let sign = products.sign(errors[side])?;
         let mut factors = [0, 0];
         factors[side] = sign;
-        (signs[side] == 0 || sign == i64::from(signs[side])).then_some(Side::Unit(factors))
+        (signs[side] == 0 || sign == i64::from(signs[side])).then_some(factors)
     };
     let of_v = ChordProducts::new(points_a, points_b, tangents_a, &origin);
     if let Some(found) = unit(0, &of_v) {
@@ -100,7 +70,7 @@ fn side_of_parts(
     if let Some(found) = unit(1, &of_w) {
         return Some(found);
     }
-    let mut rectangles = Rectangles::new();
+    let mut rectangles: SmallVec<[Rectangle; 16]> = SmallVec::new();
     let mut span = Span::default();
     let (v_count, w_count) = (tangents_a.len(), tangents_b.len());
     for (p_v, p_w) in of_v.of_a.chunks_exact(v_count).zip(of_w.of_a.chunks_exact(w_count)) {
@@ -115,11 +85,7 @@ fn side_of_parts(
             rectangles.push(rectangle);
         }
     }
-    Some(Side::Mixed {
-        rectangles,
-        span,
-        errors,
-    })
+    round_bisector(&rectangles, span.bisector()?, errors, signs)
 }
 
 /// Least and greatest difference.
@@ -199,7 +165,7 @@ pub(super) fn has_zero(tangents: &[Vector]) -> bool {
 }
 
 /// `not_normal` with one factor 0, by cones and boxes.
-fn side_of_runs(nodes: &Nodes, a: &Node, b: &Node, signs: Signs) -> Option<[i64; 2]> {
+fn factors_of_runs(nodes: &Nodes, a: &Node, b: &Node, signs: Signs) -> Option<[i64; 2]> {
     let mut least = [0.0; 3];
     let mut most = [0.0; 3];
     let error = a.margin + b.margin;
