@@ -210,16 +210,18 @@ class SignFunction(unittest.TestCase):
 
     def test_sections_are_restrictions(self):
         a, b = F(2, 7), F(25, 9)
-        points = [(0, 0), (1, 3), (4, 1), (5, 5), (7, 2), (9, 3)]
-        made = domain_of(bspline(3, [0, 0, 0, 0, 1, 3, 4, 4, 4, 4], points), [2], interval=(a, b))
-        self.assertEqual([(s.u0, s.u1) for s in made.sections.values()], [(a, 1), (0, 1), (0, F(7, 9))])
-        x = place(3, F(1, 3))
-        for section in made.sections.values():
-            n = len(section.g) - 1
-            for v in (F(0), F(1, 3), F(1)):
-                g = sum(F(y, section.scale * x.denominator) * math.comb(n, k) * v ** k * (1 - v) ** (n - k)
-                        for k, y in enumerate(section.values(x)))
-                self.assertEqual(g, section.row_at(section.u0 + v * (section.u1 - section.u0)).value(x))
+        points = [(0, 0, 1), (1, 3, 4), (4, 1, -2), (5, 5, 0), (7, 2, 3), (9, 3, 9)]
+        for d, weights in itertools.product((2, 3), (None, [1, 2, 1, 3, 1, 1])):
+            curve = bspline(3, [0, 0, 0, 0, 1, 3, 4, 4, 4, 4], [p[:d] for p in points], weights)
+            made = domain_of(curve, [2], interval=(a, b))
+            self.assertEqual([(s.u0, s.u1) for s in made.sections.values()], [(a, 1), (0, 1), (0, F(7, 9))])
+            x = place(3, F(1, 3), F(-5, 2)) if d == 3 else place(3, F(1, 3))
+            for section in made.sections.values():
+                n = len(section.g) - 1
+                for v in (F(0), F(1, 3), F(1)):
+                    g = sum(F(y, section.scale * x.denominator) * math.comb(n, k) * v ** k * (1 - v) ** (n - k)
+                            for k, y in enumerate(section.values(x)))
+                    self.assertEqual(g, section.row_at(section.u0 + v * (section.u1 - section.u0)).value(x))
 
     def test_open_ends_lose_a_factor(self):
         # straight at both ends; also where only a part of the piece is looked at
@@ -408,7 +410,12 @@ class Sandwich(Damage):
         star = [[6, 0], [-2, 4], [-2, -2], [5, 3], [-4, 1], [1, -4]]
         with self.assertRaisesRegex(document.Reject, "overlaps cell 0"):
             domain.star([0, 0], star, [[k, (k + 1) % 6] for k in range(6)], "star")
-        self.assertGreater(domain.star([0, 0], star[:3], [[0, 1], [1, 2], [2, 0]], "star"), 0)
+        self.assertEqual(domain.star([0, 0], star[:3], [[0, 1], [1, 2], [2, 0]], "star"), 24 + 12 + 12)
+        # the sum (2, 2) of the first cell is on the common side of two others only
+        star = [[2, 0], [0, 2], [-9, -3], [5, -9], [1, 1], [-9, 8], [-5, -9]]
+        with self.assertRaisesRegex(document.Reject, "cell 3: it overlaps cell 0"):
+            domain.star([0, 0], star, [[k, (k + 1) % 7] for k in range(7)], "star")
+        self.assertEqual(domain.star([0, 0], [[1, 0], [0, 1], [-1, -1]], [[0, 1], [1, 2], [2, 0]], "star"), 3)
 
     def test_star_in_space(self):
         self.accept(space())
