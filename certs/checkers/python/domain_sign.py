@@ -246,7 +246,7 @@ class Domain:
         """Shown in cl K.  Sections that do not depend on x are not looked at: some point is shown in K already."""
         for section in self.sections.values():
             if section.moves:
-                require_by_halving(section.values(x), False, f"{where}: not shown in the closure of K, piece {section.i}")
+                require_by_halving(section.values(x), False, f"{where}: not shown in cl K, piece {section.i}")
 
     def require_margin(self, x, squared, where):
         for section in self.sections.values():
