@@ -7,7 +7,8 @@ from fractions import Fraction
 from document import expect, integer, items, natural, number, record, require, shown, text, unless, variant
 from domain_sign import At, Domain, at, differences, is_polynomial
 
-MAX_COUNT = 4_194_304  # points, cells, rows
+MAX_COUNT = 4_194_304  # points, cells and rows together
+PARAMETER_BITS = 4096
 
 
 def boolean(value, where):
@@ -29,7 +30,7 @@ def row(value, where):
 
 
 INDEX = natural(0, (1 << 32) - 1)
-POINT_ROW = record({"piece": INDEX, "u": number})
+POINT_ROW = record({"piece": INDEX, "u": lambda value, where: number(value, where, PARAMETER_BITS)})
 SIDE_ROW = record({"axis": INDEX, "side": text("low", "high")})
 ROWS = items(row, most=MAX_COUNT)
 NOT_NEGATIVE = within(number, 0)
@@ -41,7 +42,7 @@ OUTCOMES = {
     "change": {"from": items(number), **SQUARED_BOUNDS},
     "ball": {"lower": within(number, 0, strict=True), "upper": number},
 }
-STATEMENT = {"points": items(INDEX), "sign": text("+", "-"), "interval": items(number, 2), "open": items(boolean, 2),
+STATEMENT = {"points": items(INDEX), "sign": text("+", "-"), "interval": items(lambda value, where: number(value, where, PARAMETER_BITS), 2), "open": items(boolean, 2),
              "box": items(items(number), 2), "outcome": variant("kind", OUTCOMES)}
 
 
@@ -97,9 +98,8 @@ def position(value):
 
 def sandwich(domain, outcome, evidence, rows):
     q, inner, outer = evidence["denominator"], evidence["inner"], evidence["outer"]
-    for name in ("points", "cells"):
-        count = len(inner[name]) + len(outer[name])
-        expect(count <= MAX_COUNT, "evidence", f"at most {MAX_COUNT} {name}", count)
+    count = len(evidence["rows"]) + sum(len(star[name]) for star in (inner, outer) for name in ("points", "cells"))
+    expect(count <= MAX_COUNT, "evidence", f"at most {MAX_COUNT} points, cells and rows", count)
     center = At(tuple(evidence["center"]), q)
     domain.require_in_box(center, "center")
     domain.require_in_k(center, "center")

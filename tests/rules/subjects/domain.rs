@@ -191,6 +191,20 @@ pub fn cases() -> Vec<Case> {
         expecting("sandwich", "rows at most 0 at their cells"),
     );
 
+    // A parameter of 4,097 bits.
+    let long = |bits: usize| {
+        let numerator = knotproof::number::Integer::ONE << (bits as u32 - 1);
+        format!("{}/{}", &numerator - knotproof::number::Integer::ONE, numerator)
+    };
+    cases.accept(
+        "long-parameter",
+        &rectangle().with("/evidence/rows/0/u", json!(long(4096))),
+    );
+    let too_long = rectangle().with("/evidence/rows/0/u", json!(long(4097)));
+    cases.malformed("parameter-too-long", too_long.json(), |_| true);
+    let interval = with("interval", json!(["0", long(4097)]));
+    cases.malformed("interval-too-long", interval.json(), |_| true);
+
     // A curve that begins with three collinear fixed points has no curvature at 0, wherever its last point is.
     let straight = bezier(json!([[[0, 0], [1, 0], [2, 0], [3, 1]]]));
     let hook = |open: Value| {
