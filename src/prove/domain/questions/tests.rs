@@ -79,7 +79,7 @@ fn assert_found(curve: &Curve, question: &Question, about: &About, expected: &st
     for (solver, tolerance) in [
         (&GoodLp as &'static dyn FloatSolver, "1e-9"),
         (&Liar, "1e-12"),
-        (&(), "1/10"),
+        (&(), "1/100"),
     ] {
         let options = options(tolerance, solver);
         let answer = answer(curve, &problem, about, &options).unwrap_or_else(|error| panic!("{about:?}: {error}"));
