@@ -66,7 +66,7 @@ pub enum AnswerError {
     /// The sign does not depend on the control point: no move changes it.
     Constant,
     /// K ∩ B is empty, with the evidence of the outcome `empty`.
-    Empty(Evidence),
+    Empty(Box<Evidence>),
     /// Neither a point of K ∩ B was found nor that there is none.
     NoPoint,
     /// Bounds could not be found; why.
@@ -184,7 +184,7 @@ fn center(context: &Context, problem: &Problem, options: &Options) -> Result<Vec
     }
     match feasible::find(context, options.solver) {
         Found::Point(point) => Ok(point),
-        Found::Empty(evidence) => Err(AnswerError::Empty(evidence)),
+        Found::Empty(evidence) => Err(AnswerError::Empty(Box::new(evidence))),
         Found::Nothing => Err(AnswerError::NoPoint),
     }
 }

@@ -2,6 +2,7 @@
 
 use num_traits::{Signed, Zero};
 
+use super::distance::Distances;
 use super::projection::Projection;
 use super::rounding::{bits_for, difference, down, length, offset, up};
 use super::{AnswerError, Finding, close, rows_at, sides};
@@ -25,6 +26,8 @@ struct Search<'a> {
     center: &'a [Rational],
     target: &'a [Rational],
     parts: Parts,
+    /// Roughly the distance from the center to the nearest plane.
+    clearance: f64,
     projection: Projection,
     rows: Vec<Row>,
 }
@@ -58,11 +61,13 @@ pub fn find(
     }
     let integers = RationalVector::from_rationals(center);
     let parts = Parts::new(context, integers.numerators(), integers.denominator()).ok_or(AnswerError::NoPoint)?;
+    let nearest_plane = Distances::new(context, center).nearest(&vec![0.0; center.len()]);
     let mut search = Search {
         context,
         center,
         target,
         parts,
+        clearance: nearest_plane.map_or(f64::INFINITY, |plane| plane.distance),
         projection: Projection::new(target),
         rows: Vec::new(),
     };
@@ -176,7 +181,8 @@ impl Search<'_> {
                 return None;
             }
             let pulled: Vec<f64> = arm.iter().map(|x| x * (1.0 - pull) / boundary).collect();
-            let mut point = offset(self.center, &pulled, reach * pull / 32.0)?;
+            // A pull by some part takes the point that part of the clearance away from each plane.
+            let mut point = offset(self.center, &pulled, reach.min(self.clearance) * pull / 32.0)?;
             let bounds = &self.context.domain.bounds;
             for (axis, x) in point.iter_mut().enumerate() {
                 *x = (&*x).clamp(&bounds.low[axis], &bounds.high[axis]).clone();

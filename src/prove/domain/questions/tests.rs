@@ -37,6 +37,17 @@ fn bezier(points: &[Vec<i64>], weights: Option<&[i64]>) -> Curve {
     read_curve(&json).unwrap().curve
 }
 
+/// A clamped spline on the knots 0, 1, 2, …
+fn spline(degree: usize, points: &[Vec<i64>], weights: Option<&[i64]>) -> Curve {
+    let weights = weights.map_or(String::new(), |weights| format!(r#", "weights": {weights:?}"#));
+    let inner = points.len() - degree;
+    let knots = [vec![0; degree], (0..=inner).collect(), vec![inner; degree]].concat();
+    let json = format!(
+        r#"{{ "knotproof": "curve/1", "bspline": {{ "degree": {degree}, "knots": {knots:?}, "points": {points:?}{weights} }} }}"#
+    );
+    read_curve(&json).unwrap().curve
+}
+
 fn ask(point: usize, sign: Sign, low: &[i64], high: &[i64]) -> Question {
     let corner = |corner: &[i64]| corner.iter().map(|x| Rational::from_integer((*x).into())).collect();
     Question {
@@ -209,22 +220,71 @@ fn half_space() {
     assert_found(&curve, &question, &About::Ball, "9/2");
 }
 
+/// The center that is found is near two planes; points pulled towards it must stay on their positive side.
+#[test]
+fn thin_domain() {
+    let points = [
+        [0, 1, -4],
+        [8, 1, 3],
+        [-5, -3, 6],
+        [7, -4, -8],
+        [5, -6, 2],
+        [-4, -2, 6],
+        [-6, -6, 1],
+    ]
+    .map(|p| p.to_vec());
+    let curve = spline(3, &points, Some(&[2, 3, 2, 1, 1, 1, 1]));
+    let question = ask(3, Sign::Positive, &[-10; 3], &[10; 3]);
+    assert_found(&curve, &question, &nearest(&["-1", "-1", "1/2"]), "253/4");
+}
+
+/// A convex arc of degree 9, and bounds that the budget does not bring close.
+#[test]
+fn high_degree() {
+    let points: Vec<Vec<i64>> = (0..10_i64).map(|k| vec![k - 5, (k - 5) * (k - 5)]).collect();
+    let curve = bezier(&points, None);
+    let question = ask(4, Sign::Positive, &[-30, -30], &[30, 30]);
+    let problem = Problem::new(&curve, &question).unwrap();
+    for about in [nearest(&["20", "7"]), About::Fair, About::Change, About::Ball] {
+        let ask = |tolerance: &str, budget: usize| {
+            let mut options = options(tolerance, &GoodLp);
+            options.budget = budget;
+            answer(&curve, &problem, &about, &options).unwrap()
+        };
+        let close = ask("1e-12", 500);
+        assert_eq!(close.status, Status::Certified, "{about:?} {:?}", bounds(&close));
+        let [low, high] = bounds(&close);
+        let early = ask("1e-12", 7);
+        let [lower, upper] = bounds(&early);
+        assert!(
+            lower <= low && high <= upper,
+            "{about:?} [{lower}, {upper}] around [{low}, {high}]"
+        );
+        if matches!(about, About::Nearest(_) | About::Ball) {
+            assert!(matches!(early.status, Status::Undecided(_)), "{about:?}");
+        }
+    }
+}
+
 /// Random curves with a random question; many have no domain.
 fn questions(d: usize) -> impl Strategy<Value = (Curve, Question, Vec<Rational>)> {
     let point = move || prop::collection::vec(-8_i64..9, d);
-    let points = prop::collection::vec(point(), d + 1..d + 4);
-    let weights = prop::option::of(prop::collection::vec(1_i64..4, d + 4));
-    (points, weights, any::<prop::sample::Index>(), any::<bool>(), point()).prop_filter_map(
-        "a curve",
-        move |(points, weights, index, negative, target)| {
-            let weights = weights.as_ref().map(|weights| &weights[..points.len()]);
-            let distinct = points.windows(2).all(|pair| pair[0] != pair[1]);
-            let sign = if negative { Sign::Negative } else { Sign::Positive };
-            let target = target.iter().map(|x| Rational::new((*x).into(), 2.into())).collect();
-            let question = ask(index.index(points.len()), sign, &vec![-10; d], &vec![10; d]);
-            distinct.then(|| (bezier(&points, weights), question, target))
-        },
-    )
+    let points = prop::collection::vec(point(), d + 1..d + 5);
+    let weights = prop::option::of(prop::collection::vec(1_i64..4, d + 5));
+    let choices = (any::<prop::sample::Index>(), any::<bool>(), any::<bool>());
+    (points, weights, choices, point()).prop_filter_map("a curve", move |(points, weights, choices, target)| {
+        let (index, negative, pieces) = choices;
+        let weights = weights.as_ref().map(|weights| &weights[..points.len()]);
+        let distinct = points.windows(2).all(|pair| pair[0] != pair[1]);
+        let sign = if negative { Sign::Negative } else { Sign::Positive };
+        let target = target.iter().map(|x| Rational::new((*x).into(), 2.into())).collect();
+        let question = ask(index.index(points.len()), sign, &vec![-10; d], &vec![10; d]);
+        let curve = || match pieces {
+            true => spline(d, &points, weights),
+            false => bezier(&points, weights),
+        };
+        distinct.then(|| (curve(), question, target))
+    })
 }
 
 /// The rows of many parameters as (normal, constant) of length 1, and the sides of the box.
