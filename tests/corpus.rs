@@ -107,6 +107,11 @@ fn every_rule_is_on_both_sides() {
         "crossing",
         "critical_root",
         "critical_interval",
+        "sandwich",
+        "empty",
+        "nearest",
+        "change",
+        "ball",
     ] {
         for verdict in ["accept", "reject"] {
             assert!(!files(&certs().join(verdict).join(rule)).is_empty(), "{verdict}/{rule}");

@@ -6,12 +6,15 @@ use sha2::{Digest, Sha256};
 
 use crate::claim::tree::ByteRead;
 
+/// The buffer's size at first, so that little is prepared for a small certificate.
+const FIRST_BUFFER: usize = 1 << 12;
+/// Its size after some time.
 const BUFFER: usize = 1 << 16;
 
 /// Reads through a buffer of its own; the bytes between [`ByteSource::start_hash`] and [`ByteSource::end_hash`] are hashed.
 pub struct ByteSource<R> {
     inner: R,
-    buffer: Box<[u8]>,
+    buffer: Vec<u8>,
     start: usize,
     end: usize,
     hashed: usize,
@@ -23,7 +26,7 @@ impl<R: Read> ByteSource<R> {
     pub fn new(inner: R) -> Self {
         ByteSource {
             inner,
-            buffer: vec![0; BUFFER].into_boxed_slice(),
+            buffer: vec![0; FIRST_BUFFER],
             start: 0,
             end: 0,
             hashed: 0,
@@ -52,6 +55,9 @@ impl<R: Read> ByteSource<R> {
 
     fn refill(&mut self) -> io::Result<()> {
         self.hash_consumed();
+        if self.end == self.buffer.len() && self.end < BUFFER {
+            self.buffer.resize(4 * self.end, 0);
+        }
         self.start = 0;
         self.hashed = 0;
         self.end = 0;

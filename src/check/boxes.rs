@@ -133,10 +133,17 @@ fn narrow_box(points: &[[i64; 3]], denominator: i64, grid: u32) -> Option<GridBo
     for axis in 0..3 {
         let low = points.iter().map(|point| point[axis]).min()?;
         let high = points.iter().map(|point| point[axis]).max()?;
+        // ⌈x⌉ = −⌊−x⌋. Division in 64 bits is several times as fast.
+        if let (Some(low), Some(high)) = (low.doubled(grid), high.doubled(grid).and_then(i64::checked_neg)) {
+            let floor = |x: i64| x.checked_div_euclid(denominator).map(i128::from);
+            bounds[0][axis] = floor(low)?;
+            bounds[1][axis] = -floor(high)?;
+            continue;
+        }
         let (low, high) = (i128::from(low).doubled(grid)?, i128::from(high).doubled(grid)?);
         let denominator = i128::from(denominator);
         bounds[0][axis] = low.div_euclid(denominator);
-        // ⌈x⌉ = −⌊−x⌋; the least integer has no negative.
+        // The least integer has no negative.
         bounds[1][axis] = -high.checked_neg()?.div_euclid(denominator);
     }
     Some(bounds)

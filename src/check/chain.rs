@@ -113,6 +113,8 @@ pub struct Numbers<'c, W> {
     pub weights: &'c [W],
     /// D_k.
     pub tangents: &'c [[W; 3]],
+    /// X_k and then D_k.
+    pub vectors: &'c [[W; 3]],
 }
 
 /// A chain of Bézier pieces in integers.
@@ -457,7 +459,8 @@ impl<W: Word> Storage<W> {
 
     fn numbers(&self, piece: &Piece) -> Numbers<'_, W> {
         let count = piece.degree + 1;
-        let (points, rest) = self.vectors[piece.points..].split_at(count);
+        let vectors = &self.vectors[piece.points..=piece.points + count + piece.tangent_degree];
+        let (points, tangents) = vectors.split_at(count);
         let weights = if piece.rational {
             &self.weights[piece.weights..piece.weights + count]
         } else {
@@ -466,7 +469,8 @@ impl<W: Word> Storage<W> {
         Numbers {
             points,
             weights,
-            tangents: &rest[..=piece.tangent_degree],
+            tangents,
+            vectors,
         }
     }
 }

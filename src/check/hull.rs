@@ -4,32 +4,34 @@
 //! a polynomial part have one weight for all their points, so that the least n·p and the greatest n·q decide; otherwise all pairs are
 //! compared. Where both have one weight, the common factor of the two is kept apart.
 
-use super::chain::{ScaleRef, convert, convert_one};
+use std::borrow::Cow;
+
+use super::chain::{ScaleRef, convert_one};
 use super::cover::Context;
 use super::element::{Node, point_location};
 use super::part::{Block, Geometry};
 use super::word::{Word, dot};
 
 /// Where the hull points are.
-enum Shape<W> {
+enum Shape<'s, W: Clone> {
     /// The corners of a box.
     Box([[W; 3]; 2]),
     /// Points with one weight for all.
-    Shared(Vec<[W; 3]>),
+    Shared(Cow<'s, [[W; 3]]>),
     /// Points with a weight each.
-    Each(Vec<[W; 3]>, Vec<W>),
+    Each(Cow<'s, [[W; 3]]>, Vec<W>),
 }
 
 /// The hull points of a node.
-pub struct Hull<'s, W> {
-    shape: Shape<W>,
+pub struct Hull<'s, W: Clone> {
+    shape: Shape<'s, W>,
     /// The weight of all points; not used when each has its own.
     scale: ScaleRef<'s>,
 }
 
 impl<'s, W: Word> Hull<'s, W> {
     /// The hull of a node; `None` if it does not fit this width.
-    pub fn new(context: &'s Context, node: &Node) -> Option<Self> {
+    pub fn new(context: &'s Context, node: &'s Node) -> Option<Self> {
         match node {
             Node::Run { number, .. } => Some(Hull {
                 shape: Shape::Box(context.boxes.get(*number)?),
@@ -39,15 +41,18 @@ impl<'s, W: Word> Hull<'s, W> {
                 let (piece, end) = point_location(context.chain, *element);
                 let (point, weight) = context.chain.end_point(piece, end);
                 Some(Hull {
-                    shape: Shape::Each(vec![super::word::vector(&point)?], vec![W::from_integer(&weight)?]),
+                    shape: Shape::Each(
+                        vec![super::word::vector(&point)?].into(),
+                        vec![W::from_integer(&weight)?],
+                    ),
                     scale: context.grid_scale(),
                 })
             }
             Node::Part(part) => {
                 let shape = match &part.geometry {
-                    Geometry::Narrow(block) => Shape::of_block(block),
-                    Geometry::Wide(block) => Shape::of_block(block),
-                    Geometry::Large(block) => Shape::of_block(block),
+                    Geometry::Narrow(block) => Shape::of_block(block, W::of_narrow(block.points())?),
+                    Geometry::Wide(block) => Shape::of_block(block, W::of_wide(block.points())?),
+                    Geometry::Large(block) => Shape::of_block(block, W::of_large(block.points())?),
                 }?;
                 Some(Hull {
                     shape,
@@ -58,7 +63,7 @@ impl<'s, W: Word> Hull<'s, W> {
     }
 
     /// Points of a section of a piece: integers over `scale`, or over a weight each when there are weights.
-    pub fn of_points(points: Vec<[W; 3]>, weights: Vec<W>, scale: ScaleRef<'s>) -> Self {
+    pub fn of_points(points: Cow<'s, [[W; 3]]>, weights: Vec<W>, scale: ScaleRef<'s>) -> Self {
         let shape = if weights.is_empty() {
             Shape::Shared(points)
         } else {
@@ -119,13 +124,12 @@ impl<'s, W: Word> Hull<'s, W> {
     }
 }
 
-impl<W: Word> Shape<W> {
-    fn of_block<S: Word>(block: &Block<'_, S>) -> Option<Self> {
-        let points = block.points.iter().map(convert).collect::<Option<_>>()?;
-        Some(if block.weights.is_empty() {
+impl<'s, W: Word> Shape<'s, W> {
+    fn of_block<S: Word>(block: &Block<'_, S>, points: Cow<'s, [[W; 3]]>) -> Option<Self> {
+        Some(if block.weights().is_empty() {
             Shape::Shared(points)
         } else {
-            Shape::Each(points, block.weights.iter().map(convert_one).collect::<Option<_>>()?)
+            Shape::Each(points, block.weights().iter().map(convert_one).collect::<Option<_>>()?)
         })
     }
 }
@@ -169,7 +173,7 @@ impl<'e, W> Iterator for Candidates<'e, W> {
 }
 
 /// Two hulls, with their weights brought together.
-pub struct Gap<'h, W> {
+pub struct Gap<'h, W: Clone> {
     a: &'h Hull<'h, W>,
     b: &'h Hull<'h, W>,
     weight_a: W,

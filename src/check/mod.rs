@@ -21,6 +21,7 @@ use std::io::Read;
 
 use crate::certificate::{self, Document, FormatError};
 use crate::claim::Claim;
+use crate::claim::tree::TokenSource;
 use domain::sign::DomainError;
 pub use msd::check_msd;
 pub use rule::Failure;
@@ -176,10 +177,23 @@ pub fn check<R: Read>(source: R) -> Verdict {
     let document = Box::new(document);
     let outcome = match &document.claim {
         Claim::Msd(content) => check_msd(&document.curve, content, &mut tokens),
-        Claim::Domain(content) => domain::check_domain(&document.curve, content).map(|()| 0),
+        Claim::Domain(content) => no_tokens(&mut tokens)
+            .and_then(|()| domain::check_domain(&document.curve, content))
+            .map(|()| 0),
     };
     match outcome {
         Ok(leaves) => Verdict::Accepted { document, leaves },
         Err(rejection) => Verdict::Rejected { document, rejection },
+    }
+}
+
+/// Nothing follows where there is no tree.
+fn no_tokens<S: TokenSource>(tokens: &mut S) -> Result<(), Rejection> {
+    match tokens.next_token() {
+        Ok(None) => Ok(()),
+        _ => Err(Rejection {
+            place: Place::Token { number: 0 },
+            reason: Reason::TokensLeft,
+        }),
     }
 }

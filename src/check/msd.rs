@@ -4,7 +4,7 @@ use super::chain::Chain;
 use super::cover::{Context, replay};
 use super::rule::{critical, crossing, miranda, root};
 use super::word::widening;
-use super::{Place, Reason, Rejection};
+use super::{Place, Reason, Rejection, no_tokens};
 use crate::claim::msd::{Content, Convention, Lower, Statement, Upper};
 use crate::claim::tree::TokenSource;
 use crate::curve::Curve;
@@ -25,13 +25,7 @@ pub fn check_msd<S: TokenSource>(curve: &Curve, content: &Content, tokens: &mut 
         upper(&chain, rule, statement.convention, upper_squared)?;
     }
     if !content.has_tree {
-        return match tokens.next_token() {
-            Ok(None) => Ok(0),
-            _ => Err(Rejection {
-                place: Place::Token { number: 0 },
-                reason: Reason::TokensLeft,
-            }),
-        };
+        return no_tokens(tokens).map(|()| 0);
     }
     let context = Context::new(&chain, statement.convention, content.evidence.grid);
     replay(&context, &statement.lower_squared, tokens).map_err(|rejection| *rejection)

@@ -15,12 +15,12 @@ pub const MAX_DEPTH: u32 = 120;
 
 /// The numbers of a part in one width.
 pub struct Block<'c, W: Clone> {
-    /// Homogeneous control points.
-    pub points: Cow<'c, [[W; 3]]>,
+    /// Homogeneous control points, and then the Bernstein coefficients of D, zero vectors included.
+    vectors: Cow<'c, [[W; 3]]>,
+    /// How many of them are control points.
+    count: usize,
     /// Weights, none for a polynomial piece.
-    pub weights: Cow<'c, [W]>,
-    /// Bernstein coefficients of D, zero vectors included.
-    pub tangents: Cow<'c, [[W; 3]]>,
+    weights: Cow<'c, [W]>,
 }
 
 /// The numbers of a part in the width they fit.
@@ -48,51 +48,55 @@ pub struct Part<'c> {
 impl<'c, W: Word> Block<'c, W> {
     fn whole(numbers: Numbers<'c, W>) -> Self {
         Block {
-            points: Cow::Borrowed(numbers.points),
+            vectors: Cow::Borrowed(numbers.vectors),
+            count: numbers.points.len(),
             weights: Cow::Borrowed(numbers.weights),
-            tangents: Cow::Borrowed(numbers.tangents),
         }
     }
 
+    /// Homogeneous control points.
+    pub fn points(&self) -> &[[W; 3]] {
+        &self.vectors[..self.count]
+    }
+
+    /// Weights, none for a polynomial piece.
+    pub fn weights(&self) -> &[W] {
+        &self.weights
+    }
+
+    /// Bernstein coefficients of D, zero vectors included.
+    pub fn tangents(&self) -> &[[W; 3]] {
+        &self.vectors[self.count..]
+    }
+
     fn halves(&self) -> Option<(Block<'static, W>, Block<'static, W>)> {
-        let (left_points, right_points) = halve_vectors(&self.points)?;
+        let mut right = self.vectors.to_vec();
+        let mut left = Vec::with_capacity(right.len());
+        halve_vectors(&mut right[..self.count], &mut left)?;
+        halve_vectors(&mut right[self.count..], &mut left)?;
         let (left_weights, right_weights) = halve_numbers(&self.weights)?;
-        let (left_tangents, right_tangents) = halve_vectors(&self.tangents)?;
-        let block = |points, weights, tangents| Block {
-            points: Cow::Owned(points),
+        let block = |vectors, weights| Block {
+            vectors: Cow::Owned(vectors),
+            count: self.count,
             weights: Cow::Owned(weights),
-            tangents: Cow::Owned(tangents),
         };
-        Some((
-            block(left_points, left_weights, left_tangents),
-            block(right_points, right_weights, right_tangents),
-        ))
+        Some((block(left, left_weights), block(right, right_weights)))
     }
 
     fn widened<V: Word>(&self) -> Block<'static, V> {
-        let vectors = |from: &[[W; 3]]| -> Vec<[V; 3]> {
-            from.iter().map(|v| convert(v).expect("the width is greater")).collect()
-        };
+        let vectors = self.vectors.iter().map(convert);
+        let weights = self.weights.iter().map(convert_one);
         Block {
-            points: Cow::Owned(vectors(&self.points)),
-            weights: Cow::Owned(
-                self.weights
-                    .iter()
-                    .map(|w| convert_one(w).expect("the width is greater"))
-                    .collect(),
-            ),
-            tangents: Cow::Owned(vectors(&self.tangents)),
+            vectors: Cow::Owned(vectors.collect::<Option<_>>().expect("the width is greater")),
+            count: self.count,
+            weights: Cow::Owned(weights.collect::<Option<_>>().expect("the width is greater")),
         }
     }
 }
 
-/// The coefficients of the left and of the right half.
-type Halves<T> = Option<(Vec<T>, Vec<T>)>;
-
-fn halve_vectors<W: Word>(coefficients: &[[W; 3]]) -> Halves<[W; 3]> {
-    let degree = coefficients.len() - 1;
-    let mut row = coefficients.to_vec();
-    let mut left = Vec::with_capacity(degree + 1);
+/// Appends the coefficients of the left half to `left`; `row` becomes those of the right half.
+fn halve_vectors<W: Word>(row: &mut [[W; 3]], left: &mut Vec<[W; 3]>) -> Option<()> {
+    let degree = row.len() - 1;
     for k in 0..=degree {
         let shift = (degree - k) as u32;
         let first = &row[0];
@@ -113,15 +117,17 @@ fn halve_vectors<W: Word>(coefficients: &[[W; 3]]) -> Halves<[W; 3]> {
             *axis = axis.doubled(k as u32)?;
         }
     }
-    Some((left, row))
+    Some(())
 }
 
-fn halve_numbers<W: Word>(coefficients: &[W]) -> Halves<W> {
+/// The coefficients of the left and of the right half.
+fn halve_numbers<W: Word>(coefficients: &[W]) -> Option<(Vec<W>, Vec<W>)> {
     if coefficients.is_empty() {
         return Some((Vec::new(), Vec::new()));
     }
-    let as_vectors: Vec<[W; 3]> = coefficients.iter().map(|x| [x.clone(), W::zero(), W::zero()]).collect();
-    let (left, right) = halve_vectors(&as_vectors)?;
+    let mut right: Vec<[W; 3]> = coefficients.iter().map(|x| [x.clone(), W::zero(), W::zero()]).collect();
+    let mut left = Vec::with_capacity(right.len());
+    halve_vectors(&mut right, &mut left)?;
     let first = |vectors: Vec<[W; 3]>| vectors.into_iter().map(|[x, _, _]| x).collect();
     Some((first(left), first(right)))
 }
@@ -210,10 +216,10 @@ mod tests {
     /// Points as fractions, whatever the integers stand for.
     fn points(part: &Part, chain: &Chain) -> Vec<[Rational; 2]> {
         fn of<W: Word>(block: &Block<W>, scale: &Integer) -> Vec<[Rational; 2]> {
-            let weight = |k: usize| block.weights.get(k).map_or(scale.clone(), Word::to_integer);
+            let weight = |k: usize| block.weights().get(k).map_or(scale.clone(), Word::to_integer);
             let fraction = |x: &W, k: usize| Rational::new(x.to_integer(), weight(k));
             block
-                .points
+                .points()
                 .iter()
                 .enumerate()
                 .map(|(k, p)| [fraction(&p[0], k), fraction(&p[1], k)])
@@ -231,7 +237,7 @@ mod tests {
         fn of<W: Word>(block: &Block<W>, scale: &Integer) -> Vec<[Rational; 2]> {
             let fraction = |x: &W| Rational::new(x.to_integer(), scale.clone());
             block
-                .tangents
+                .tangents()
                 .iter()
                 .map(|v| [fraction(&v[0]), fraction(&v[1])])
                 .collect()

@@ -1,5 +1,6 @@
 //! Points of the chain at rational parameters, and sections of it between them (FORMAT §6).
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use super::chain::{Chain, OwnedNumbers, Scale, convert, convert_one};
@@ -191,7 +192,11 @@ pub struct PointAndField<W> {
 impl<W: Word> PointAndField<W> {
     /// The point, as a hull of one point.
     pub fn hull(&self) -> Hull<'_, W> {
-        Hull::of_points(self.point.clone(), self.weights.clone(), self.point_scale.doubled(0))
+        Hull::of_points(
+            Cow::Borrowed(&self.point),
+            self.weights.clone(),
+            self.point_scale.doubled(0),
+        )
     }
 }
 
@@ -209,7 +214,11 @@ pub struct HullAndField<W> {
 impl<W: Word> HullAndField<W> {
     /// The control points of the section.
     pub fn hull(&self) -> Hull<'_, W> {
-        Hull::of_points(self.points.clone(), self.weights.clone(), self.point_scale.doubled(0))
+        Hull::of_points(
+            Cow::Borrowed(&self.points),
+            self.weights.clone(),
+            self.point_scale.doubled(0),
+        )
     }
 }
 

@@ -1,17 +1,21 @@
 //! The tangents T of a node in one width (FORMAT §5).
 
-use super::chain::{ScaleRef, convert};
+use std::borrow::Cow;
+use std::cmp::Ordering;
+
+use super::chain::{ScaleRef, Width, convert};
 use super::cover::Context;
 use super::element::{Element, Node, corner_pieces};
-use super::part::{Block, Geometry, Part};
+use super::part::Geometry;
 use super::word::{Word, vector};
 
 /// The tangents of a node: integer vectors in groups, each group over one scale.
-pub struct Tangents<'s, W> {
-    vectors: Vec<[W; 3]>,
-    groups: Vec<Group<'s>>,
+pub struct Tangents<'s, W: Clone> {
+    vectors: Cow<'s, [[W; 3]]>,
+    groups: Groups<'s>,
 }
 
+#[derive(Clone, Copy)]
 struct Group<'s> {
     end: usize,
     scale: ScaleRef<'s>,
@@ -19,44 +23,124 @@ struct Group<'s> {
     of_piece: bool,
 }
 
+/// Mostly there is one group, which takes no memory of its own.
+enum Groups<'s> {
+    One(Group<'s>),
+    Many(Vec<Group<'s>>),
+}
+
+impl<'s> Groups<'s> {
+    fn as_slice(&self) -> &[Group<'s>] {
+        match self {
+            Groups::One(group) => std::slice::from_ref(group),
+            Groups::Many(groups) => groups,
+        }
+    }
+}
+
 impl<'s, W: Word> Tangents<'s, W> {
     /// T of a node; `None` if it does not fit this width.
-    pub fn new(context: &'s Context, node: &Node) -> Option<Self> {
-        let mut tangents = Tangents {
+    pub fn new(context: &'s Context, node: &'s Node) -> Option<Self> {
+        let mut all = Collected {
             vectors: Vec::new(),
             groups: Vec::new(),
         };
         match node {
+            Node::Part(part) => {
+                let vectors = match &part.geometry {
+                    Geometry::Narrow(block) => nonzero(block.tangents(), W::of_narrow),
+                    Geometry::Wide(block) => nonzero(block.tangents(), W::of_wide),
+                    Geometry::Large(block) => nonzero(block.tangents(), W::of_large),
+                }?;
+                let group = Group {
+                    end: vectors.len(),
+                    scale: part.tangent_scale(context.chain),
+                    of_piece: true,
+                };
+                return Some(Tangents {
+                    vectors,
+                    groups: Groups::One(group),
+                });
+            }
             Node::Run { first, last, .. } => {
                 for element in *first..*last {
                     match context.elements.get(element) {
-                        Element::Piece(piece) => tangents.push_part(context, &Part::whole(context.chain, piece))?,
-                        point => tangents.push_point(context, point)?,
+                        Element::Piece(piece) => all.push_piece(context, piece)?,
+                        point => all.push_point(context, point)?,
                     }
                 }
             }
-            Node::Point(element) => tangents.push_point(context, *element)?,
-            Node::Part(part) => tangents.push_part(context, part)?,
+            Node::Point(element) => all.push_point(context, *element)?,
         }
-        Some(tangents)
+        Some(Tangents {
+            vectors: Cow::Owned(all.vectors),
+            groups: Groups::Many(all.groups),
+        })
     }
 
-    fn push_part(&mut self, context: &'s Context, part: &Part) -> Option<()> {
-        match &part.geometry {
-            Geometry::Narrow(block) => self.push_nonzero(block),
-            Geometry::Wide(block) => self.push_nonzero(block),
-            Geometry::Large(block) => self.push_nonzero(block),
+    /// All vectors, whatever their scale.
+    pub fn all(&self) -> &[[W; 3]] {
+        &self.vectors
+    }
+
+    /// The groups with their scales.
+    pub fn groups(&self) -> impl Iterator<Item = (&[[W; 3]], ScaleRef<'s>)> {
+        let mut start = 0;
+        self.groups.as_slice().iter().map(move |group| {
+            let vectors = &self.vectors[start..group.end];
+            start = group.end;
+            (vectors, group.scale)
+        })
+    }
+
+    /// X: the vectors that belong to pieces, group by group.
+    pub fn of_pieces(&self) -> impl Iterator<Item = &[[W; 3]]> {
+        let mut start = 0;
+        self.groups.as_slice().iter().filter_map(move |group| {
+            let range = start..group.end;
+            start = group.end;
+            group.of_piece.then(|| &self.vectors[range])
+        })
+    }
+}
+
+/// The vectors that are not zero, converted; as they are where none is.
+fn nonzero<'n, S: Word, W: Word>(
+    vectors: &'n [[S; 3]],
+    convert_all: impl Fn(&'n [[S; 3]]) -> Option<Cow<'n, [[W; 3]]>>,
+) -> Option<Cow<'n, [[W; 3]]>> {
+    let zero = |v: &[S; 3]| v.iter().all(S::vanishes);
+    if !vectors.iter().any(zero) {
+        return convert_all(vectors);
+    }
+    let rest = vectors.iter().filter(|v| !zero(v));
+    rest.map(convert).collect::<Option<_>>().map(Cow::Owned)
+}
+
+/// The tangents of several elements.
+struct Collected<'s, W> {
+    vectors: Vec<[W; 3]>,
+    groups: Vec<Group<'s>>,
+}
+
+impl<'s, W: Word> Collected<'s, W> {
+    fn push_piece(&mut self, context: &'s Context, piece: usize) -> Option<()> {
+        let chain = context.chain;
+        match chain.pieces[piece].width {
+            Width::Narrow => self.push_nonzero(chain.narrow_numbers(piece).tangents),
+            Width::Wide => self.push_nonzero(chain.wide_numbers(piece).tangents),
+            Width::Large => self.push_nonzero(chain.large_numbers(piece).tangents),
         }?;
         self.groups.push(Group {
             end: self.vectors.len(),
-            scale: part.tangent_scale(context.chain),
+            scale: chain.pieces[piece].tangent_scale.doubled(0),
             of_piece: true,
         });
         Some(())
     }
 
-    fn push_nonzero<S: Word>(&mut self, block: &Block<'_, S>) -> Option<()> {
-        for tangent in block.tangents.iter() {
+    fn push_nonzero<S: Word>(&mut self, tangents: &[[S; 3]]) -> Option<()> {
+        for tangent in tangents {
             if tangent.iter().any(|x| !x.vanishes()) {
                 self.vectors.push(convert(tangent)?);
             }
@@ -86,31 +170,27 @@ impl<'s, W: Word> Tangents<'s, W> {
         }
         Some(())
     }
+}
 
-    /// All vectors, whatever their scale.
-    pub fn all(&self) -> &[[W; 3]] {
-        &self.vectors
+/// Calls `test` with a positive multiple of αv for all v∈T; stops at the first `false`.
+pub fn all_multiples<W: Word>(
+    tangents: &Tangents<W>,
+    alpha: &W,
+    mut test: impl FnMut(&[W; 3]) -> Option<bool>,
+) -> Option<bool> {
+    // Only the factor's sign matters.
+    let (zero, sign) = (W::zero(), alpha.sign());
+    for v in tangents.all() {
+        let holds = match sign {
+            Ordering::Greater => test(v)?,
+            Ordering::Less => test(&[zero.minus(&v[0])?, zero.minus(&v[1])?, zero.minus(&v[2])?])?,
+            Ordering::Equal => test(&[zero.clone(), zero.clone(), zero.clone()])?,
+        };
+        if !holds {
+            return Some(false);
+        }
     }
-
-    /// The groups with their scales.
-    pub fn groups(&self) -> impl Iterator<Item = (&[[W; 3]], ScaleRef<'s>)> {
-        let mut start = 0;
-        self.groups.iter().map(move |group| {
-            let vectors = &self.vectors[start..group.end];
-            start = group.end;
-            (vectors, group.scale)
-        })
-    }
-
-    /// X: the vectors that belong to pieces.
-    pub fn of_pieces(&self) -> impl Iterator<Item = &[W; 3]> {
-        let mut start = 0;
-        self.groups.iter().flat_map(move |group| {
-            let range = start..group.end;
-            start = group.end;
-            if group.of_piece { &self.vectors[range] } else { &[] }
-        })
-    }
+    Some(true)
 }
 
 /// Calls `test` with a positive multiple of αv+βw for all v∈T(A), w∈T(B), with their exact scales; stops at the first `false`.
@@ -122,21 +202,11 @@ pub fn all_combinations<W: Word>(
     beta: &W,
     mut test: impl FnMut(&[W; 3]) -> Option<bool>,
 ) -> Option<bool> {
-    let multiple = |vectors: &[[W; 3]], factor: &W, test: &mut dyn FnMut(&[W; 3]) -> Option<bool>| {
-        // Only the factor's sign matters.
-        let sign = W::from_i128(factor.sign() as i128)?;
-        for v in vectors {
-            if !test(&[v[0].times(&sign)?, v[1].times(&sign)?, v[2].times(&sign)?])? {
-                return Some(false);
-            }
-        }
-        Some(true)
-    };
     if beta.vanishes() {
-        return multiple(a.all(), alpha, &mut test);
+        return all_multiples(a, alpha, test);
     }
     if alpha.vanishes() {
-        return multiple(b.all(), beta, &mut test);
+        return all_multiples(b, beta, test);
     }
     for (vectors_a, scale_a) in a.groups() {
         for (vectors_b, scale_b) in b.groups() {

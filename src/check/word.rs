@@ -3,9 +3,12 @@
 //! Every operation is checked. `None` means "does not fit", never a wrapped value, and the caller repeats the whole test in
 //! the next width; in the last one, [`Integer`], everything fits. So a width is a matter of speed alone.
 
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use ethnum::I256;
+
+use super::chain::convert;
 
 use crate::number::Integer;
 
@@ -32,19 +35,38 @@ pub trait Word: Clone + Ord {
     /// The bit length of the magnitude.
     fn bit_length(&self) -> u32;
 
+    /// Vectors of 64-bit integers in this width, borrowed where it is the same.
+    fn of_narrow(vectors: &[[i64; 3]]) -> Option<Cow<'_, [[Self; 3]]>> {
+        vectors.iter().map(convert).collect::<Option<_>>().map(Cow::Owned)
+    }
+    /// Vectors of 128-bit integers in this width, borrowed where it is the same.
+    fn of_wide(vectors: &[[i128; 3]]) -> Option<Cow<'_, [[Self; 3]]>> {
+        vectors.iter().map(convert).collect::<Option<_>>().map(Cow::Owned)
+    }
+    /// Vectors of integers of any size in this width, borrowed where it is the same.
+    fn of_large(vectors: &[[Integer; 3]]) -> Option<Cow<'_, [[Self; 3]]>> {
+        vectors.iter().map(vector).collect::<Option<_>>().map(Cow::Owned)
+    }
+
     /// The order of `self` and zero.
+    #[inline]
     fn sign(&self) -> Ordering {
         self.cmp(&Self::zero())
     }
     /// Is `self` zero?
+    #[inline]
     fn vanishes(&self) -> bool {
         self.sign() == Ordering::Equal
     }
 }
 
 macro_rules! machine_word {
-    ($type:ty) => {
+    ($type:ty, $borrowed:ident, $times:expr) => {
         impl Word for $type {
+            #[inline]
+            fn $borrowed(vectors: &[[Self; 3]]) -> Option<Cow<'_, [[Self; 3]]>> {
+                Some(Cow::Borrowed(vectors))
+            }
             #[inline]
             fn zero() -> Self {
                 0
@@ -77,7 +99,7 @@ macro_rules! machine_word {
             }
             #[inline]
             fn times(&self, other: &Self) -> Option<Self> {
-                self.checked_mul(*other)
+                $times(*self, *other)
             }
             #[inline]
             fn doubled(&self, bits: u32) -> Option<Self> {
@@ -96,8 +118,17 @@ macro_rules! machine_word {
     };
 }
 
-machine_word!(i64);
-machine_word!(i128);
+machine_word!(i64, of_narrow, i64::checked_mul);
+machine_word!(i128, of_wide, checked_product);
+
+/// The product of two 128-bit integers. Mostly both have at most 64 bits, and then it always fits: its magnitude is at most 2^126.
+#[inline]
+fn checked_product(a: i128, b: i128) -> Option<i128> {
+    match (i64::try_from(a), i64::try_from(b)) {
+        (Ok(a), Ok(b)) => Some(i128::from(a) * i128::from(b)),
+        _ => a.checked_mul(b),
+    }
+}
 
 /// The product of two 128-bit integers, which always fits: its magnitude is at most 2^254.
 #[inline]
@@ -173,6 +204,9 @@ impl Word for I256 {
 }
 
 impl Word for Integer {
+    fn of_large(vectors: &[[Integer; 3]]) -> Option<Cow<'_, [[Self; 3]]>> {
+        Some(Cow::Borrowed(vectors))
+    }
     fn zero() -> Self {
         Integer::from(0i64)
     }

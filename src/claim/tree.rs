@@ -180,14 +180,11 @@ pub fn write_token(token: &Token, dimension: usize, out: &mut Vec<u8>) {
         Token::Leaf(leaf) => leaf,
     };
     let code = match leaf {
-        Leaf::Far(n) => {
-            let units = (0..2 * dimension).find(|code| *n == unit_vector(code / 2, code & 1 == 1));
-            match units {
-                Some(code) => return out.push(0x10 + code as u8),
-                None => 0x03,
-            }
-        }
-        Leaf::NotNormal(factors) => match (0..4).find(|code| *factors == unit_factors(*code)) {
+        Leaf::Far(n) => match unit_code(&n[..dimension]) {
+            Some(code) => return out.push(0x10 + code),
+            None => 0x03,
+        },
+        Leaf::NotNormal(factors) => match unit_code(factors) {
             Some(code) => return out.push(0x20 + code),
             None => 0x04,
         },
@@ -198,6 +195,20 @@ pub fn write_token(token: &Token, dimension: usize, out: &mut Vec<u8>) {
     for integer in leaf.integers(dimension) {
         write_signed_varint(integer, out);
     }
+}
+
+/// 2i for the unit vector along axis i, 2i+1 for its opposite.
+fn unit_code(vector: &[Integer]) -> Option<u8> {
+    let mut found = None;
+    for (axis, component) in vector.iter().enumerate() {
+        match (component.to_i64()?, found) {
+            (0, _) => {}
+            (1, None) => found = Some(2 * axis as u8),
+            (-1, None) => found = Some(2 * axis as u8 + 1),
+            _ => return None,
+        }
+    }
+    found
 }
 
 /// A token as a word or words of text, as in the JSON form.
@@ -320,18 +331,21 @@ impl ByteRead for &[u8] {
 }
 
 /// Reads a varint of at most 63 bits that is in memory as a whole; `None`, with nothing read, if it is not one.
-#[inline]
+#[inline(always)]
 fn read_short_varint<R: ByteRead>(source: &mut R) -> Option<u64> {
+    let ahead = source.ahead();
     let mut value = 0;
-    for (i, byte) in source.ahead().iter().take(9).enumerate() {
-        value |= u64::from(byte & 0x7f) << (7 * i);
-        if byte & 0x80 == 0 {
+    let mut shift = 0;
+    for (i, byte) in ahead[..ahead.len().min(9)].iter().enumerate() {
+        value |= u64::from(byte & 0x7f) << shift;
+        if *byte < 0x80 {
             if *byte == 0 && i > 0 {
                 return None;
             }
             source.skip(i + 1);
             return Some(value);
         }
+        shift += 7;
     }
     None
 }
@@ -391,11 +405,18 @@ fn push_septet(bytes: &mut Vec<u8>, bit: u64, septet: u8) {
 }
 
 /// Reads a signed varint of at most `max_bits` bits.
+#[inline]
 pub fn read_signed_varint<R: ByteRead>(source: &mut R, max_bits: u64) -> Result<Integer, TokenError> {
     if let Some(short) = read_short_varint(source) {
-        let half = (short >> 1) as i64;
-        return Ok(Integer::from(if short & 1 == 0 { half } else { -half - 1 }));
+        // ⌊short/2⌋, or its complement −⌊short/2⌋−1.
+        return Ok(Integer::from((short >> 1) as i64 ^ -((short & 1) as i64)));
     }
+    read_long_signed_varint(source, max_bits)
+}
+
+#[cold]
+#[inline(never)]
+fn read_long_signed_varint<R: ByteRead>(source: &mut R, max_bits: u64) -> Result<Integer, TokenError> {
     let value = read_varint(source, max_bits + 1)?;
     if let Some(small) = value.to_u64() {
         let magnitude = i64::try_from(small >> 1).expect("half of a 64-bit number");

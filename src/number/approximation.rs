@@ -14,28 +14,32 @@ use super::{Integer, Rational, RationalExt};
 pub fn simplest_between(a: &Rational, b: &Rational) -> Rational {
     let (lower, upper) = if a <= b { (a, b) } else { (b, a) };
     if lower.numer().is_positive() {
-        simplest_between_positive(lower.clone(), upper.clone())
+        simplest_between_positive(lower, upper)
     } else if upper.numer().is_negative() {
-        -simplest_between_positive(-upper, -lower)
+        -simplest_between_positive(&-upper, &-lower)
     } else {
         Rational::from_integer(Integer::ZERO)
     }
 }
 
 /// The same for 0 < lower ≤ upper, by the continued fraction that the two ends have in common.
-fn simplest_between_positive(mut lower: Rational, mut upper: Rational) -> Rational {
+fn simplest_between_positive(lower: &Rational, upper: &Rational) -> Rational {
     let mut convergents = Convergents::new();
+    // The ends as pairs of integers, which need no reduction.
+    let (mut p, mut q) = (lower.numer().clone(), lower.denom().clone());
+    let (mut r, mut s) = (upper.numer().clone(), upper.denom().clone());
     loop {
-        let whole = lower.numer().div_ceil(lower.denom());
-        if &whole * upper.denom() <= *upper.numer() {
+        let whole = p.div_ceil(&q);
+        if &whole * &s <= r {
             convergents.push(&whole);
             return convergents.last();
         }
         // No integer between the ends: both lie strictly between two consecutive ones.
         let floor = whole - Integer::ONE;
         convergents.push(&floor);
-        let floor = Rational::from_integer(floor);
-        (lower, upper) = ((upper - &floor).recip(), (lower - &floor).recip());
+        // The ends of what is left, 1/(r/s − floor) and 1/(p/q − floor).
+        let (from_upper, from_lower) = (r - &floor * &s, p - &floor * &q);
+        (p, q, r, s) = (s, from_upper, q, from_lower);
     }
 }
 

@@ -8,10 +8,10 @@ use ethnum::I256;
 use super::body::Body;
 use super::measure::boundary;
 use super::vertex::{Row, Vertex};
-use crate::number::{Integer, Rational};
+use crate::number::{Integer, Rational, RationalExt};
 
-/// A coordinate difference of the grid takes at most so many bits in the fast path: a determinant, less than 3! · 2^(3 · 78), and the sum of
-/// as many as memory holds stay within 255 bits.
+/// A coordinate difference of the grid takes at most so many bits in the fast path: a determinant of differences of such, less than 3! · 2^(3 · 73), and
+/// the sum of as many as memory holds stay within 255 bits.
 const FAST_BITS: u64 = 72;
 
 /// The area or volume, see [`Polytope::measure_enclosure`](super::Polytope::measure_enclosure).
@@ -97,20 +97,20 @@ fn exponent(body: &Body) -> i64 {
 struct Grid {
     /// Differences from vertex 0, in units of the grid.
     points: Vec<[Integer; 3]>,
-    /// Bound on the error of a difference.
-    error: Integer,
+    /// Bounds on the errors of the vertices in units of the grid.
+    errors: Vec<i64>,
 }
 
 impl Grid {
     fn new(body: &Body, shift: i64) -> Self {
-        let mut error = 1_i64;
+        let mut errors = Vec::with_capacity(body.vertices.len());
         let mut points: Vec<[Integer; 3]> = body
             .vertices
             .iter()
             .map(|vertex| {
                 let (point, off) = on_grid(vertex, shift)
                     .unwrap_or_else(|| (on_grid_exactly(vertex, &body.rows, body.dimension, shift), 1));
-                error = error.max(off);
+                errors.push(off);
                 point
             })
             .collect();
@@ -120,14 +120,21 @@ impl Grid {
                 *coordinate -= origin;
             }
         }
-        Grid {
-            points,
-            error: Integer::from(error) << 1,
-        }
+        Grid { points, errors }
     }
 
     /// The sum of the determinants, and a bound on its error.
     fn sum(&self, simplices: &[[u32; 3]], dimension: usize) -> (Integer, Integer) {
+        let extents = self.points.iter().flatten().map(Integer::bits);
+        if extents.max().unwrap_or(0) <= FAST_BITS {
+            return self.sum_in_256_bits(simplices, dimension);
+        }
+        let sum = simplices.iter().fold(Integer::ZERO, |sum, simplex| {
+            let [a, b, c] = simplex.map(|vertex| &self.points[vertex as usize]);
+            sum + determinant(a, b, c, dimension, |x, y| x * y, |x, y| x - y)
+        });
+        // A determinant of order d is a sum of d! products of d entries; of entries off by e and at most D it is off by at most
+        // d! · ((D + e)^d − D^d).
         let extent = self
             .points
             .iter()
@@ -135,29 +142,43 @@ impl Grid {
             .map(Integer::abs)
             .max()
             .unwrap_or(Integer::ZERO);
-        let sum = if extent.bits() <= FAST_BITS {
-            let points: Vec<[I256; 3]> = self
-                .points
-                .iter()
-                .map(|point| point.each_ref().map(|x| I256::from(x.to_i128().unwrap_or(0))))
-                .collect();
-            let sum = simplices.iter().fold(I256::ZERO, |sum, simplex| {
-                let [a, b, c] = simplex.map(|vertex| &points[vertex as usize]);
-                sum + determinant(a, b, c, dimension, |x, y| x * y, |x, y| x - y)
-            });
-            let bytes = sum.unsigned_abs().to_le_bytes();
-            Integer::from_magnitude_bytes_le(sum < 0, &bytes)
-        } else {
-            simplices.iter().fold(Integer::ZERO, |sum, simplex| {
-                let [a, b, c] = simplex.map(|vertex| &self.points[vertex as usize]);
-                sum + determinant(a, b, c, dimension, |x, y| x * y, |x, y| x - y)
-            })
-        };
-        // A determinant of order d is a sum of d! products of d entries; of entries off by e and at most D it is off by at most
-        // d! · ((D + e)^d − D^d).
+        let error = Integer::from(self.errors.iter().copied().max().unwrap_or(0)) << 1;
         let (order, products) = if dimension == 2 { (2, 2) } else { (3, 6) };
-        let one = ((&extent + &self.error).pow(order) - extent.pow(order)) * Integer::from(products);
+        let one = ((&extent + &error).pow(order) - extent.pow(order)) * Integer::from(products);
         (sum, one * Integer::from(simplices.len()))
+    }
+
+    /// The same for entries of at most [`FAST_BITS`] bits, the bound by the size of each determinant's entries.
+    fn sum_in_256_bits(&self, simplices: &[[u32; 3]], dimension: usize) -> (Integer, Integer) {
+        let points: Vec<[i128; 3]> = self
+            .points
+            .iter()
+            .map(|point| point.each_ref().map(|x| x.to_i128().unwrap_or(0)))
+            .collect();
+        let size = |v: &[i128; 3]| v.iter().map(|x| x.abs()).max().unwrap_or(0) as f64;
+        let mut sum = I256::ZERO;
+        let mut error = 0.0;
+        for simplex in simplices {
+            // det(a, b, c) = det(a, b − a, c − a), where the differences are short.
+            let [a, b, c] = simplex.map(|vertex| points[vertex as usize]);
+            let difference = |v: [i128; 3]| std::array::from_fn(|i| v[i] - a[i]);
+            let (b, c): ([i128; 3], [i128; 3]) = (difference(b), difference(c));
+            let wide = [a, b, c].map(|v| v.map(I256::from));
+            sum += determinant(&wide[0], &wide[1], &wide[2], dimension, |x, y| x * y, |x, y| x - y);
+            // Each entry is a difference of two coordinates, and d! products as below; here the entries of each vector have their own size.
+            let greatest = simplex.map(|vertex| self.errors[vertex as usize]);
+            let off = (greatest.into_iter().max().unwrap_or(0) + self.errors[0]) as f64 * 2.0;
+            let (p, q, r) = (size(&a), size(&b), size(&c));
+            error += if dimension == 2 {
+                2.0 * off * (p + q + off)
+            } else {
+                6.0 * off * (p * q + p * r + q * r + off * (p + q + r + off))
+            };
+        }
+        let bytes = sum.unsigned_abs().to_le_bytes();
+        // All terms are positive and below 2^230, so rounding errors stay far below this factor for as many as memory holds.
+        let error = Rational::from_f64(error * 1.001).map_or(Integer::ZERO, |error| error.ceil_shifted(0));
+        (Integer::from_magnitude_bytes_le(sum < 0, &bytes), error)
     }
 }
 

@@ -472,6 +472,33 @@ fn bounded<const D: usize>(rows: &[HalfSpace<D>]) -> Polytope<D> {
 }
 
 #[test]
+fn thousands_of_rows() {
+    // Tangents of the parabola y = x² meet halfway between where they touch.
+    let mut rows: Vec<HalfSpace<2>> = (-1500..=1500).map(|k| plane(&[-2 * k, 1, k * k])).collect();
+    rows.push(plane(&[0, -1, 1_000_000_000]));
+    let polygon = bounded(&rows);
+    assert_eq!((polygon.vertex_count(), polygon.facet_count()), (3002, 3002));
+    let vertices: BTreeSet<[Rational; 2]> = (0..3002).map(|i| polygon.vertex(i)).collect();
+    assert!((-1500..1500).all(|k| {
+        let half = Rational::new(Integer::from(2 * k + 1), Integer::from(2));
+        vertices.contains(&[half, integer(k * (k + 1))])
+    }));
+    // Planes that touch z = x² + y² above the points of a grid: four meet above the middle of each square, and above each side of the grid's
+    // boundary there are an edge and a corner of the top.
+    let m = 15;
+    let grid = (-m..=m).flat_map(|a| (-m..=m).map(move |b| [a, b]));
+    let mut rows: Vec<HalfSpace<3>> = grid.map(|[a, b]| plane(&[-2 * a, -2 * b, 1, a * a + b * b])).collect();
+    rows.push(plane(&[0, 0, -1, 1_000_000]));
+    let bowl = bounded(&rows);
+    let (squares, sides) = (4 * m * m, 8 * m);
+    assert_eq!(bowl.vertex_count() as i64, squares + sides);
+    assert_eq!(bowl.facet_count() as i64, (2 * m + 1) * (2 * m + 1) + 1);
+    let fourfold = (0..bowl.vertex_count()).filter(|vertex| bowl.vertex_facets(*vertex).len() == 4);
+    assert_eq!(fourfold.count() as i64, squares);
+    assert_enclosure(&bowl, 40, &bowl.measure());
+}
+
+#[test]
 fn clipping_leaves_what_it_does_not_cut() {
     let mut square = Polytope::from_box(&[integer(-1), integer(-1)], &[integer(1), integer(1)]).unwrap();
     assert!(Polytope::from_box(&[integer(1), integer(-1)], &[integer(1), integer(1)]).is_none());
@@ -546,8 +573,31 @@ proptest! {
     }
 
     #[test]
+    fn row_by_row(rows in prop::collection::vec(half_space::<3>(), 1..9)) {
+        let sides = [[1, 0, 0, 3], [-1, 0, 0, 3], [0, 1, 0, 3], [0, -1, 0, 3], [0, 0, 1, 3], [0, 0, -1, 3]];
+        let mut all: Vec<HalfSpace<3>> = sides.iter().map(|side| plane(side)).collect();
+        let mut polytope = Polytope::from_box(&[-3, -3, -3].map(integer), &[3, 3, 3].map(integer)).unwrap();
+        for row in rows {
+            let before = polytope.measure();
+            let clip = polytope.clip(&row, all.len());
+            all.push(row);
+            let after = intersect(&all);
+            prop_assert_eq!(polytope.measure() == before, clip != Clip::Cut);
+            prop_assert!(polytope.measure() <= before);
+            match clip {
+                Clip::Empty => prop_assert!(matches!(after, Intersection::Empty)),
+                Clip::Flat => prop_assert!(matches!(after, Intersection::Flat(_))),
+                Clip::Redundant | Clip::Cut => assert_polytope(&all, &polytope, &enumerate(&all)),
+            }
+            if matches!(clip, Clip::Empty | Clip::Flat) {
+                all.pop();
+            }
+        }
+    }
+
+    #[test]
     fn perturbed_rows(
-        rows in prop::collection::vec((half_space::<3>(), prop::array::uniform4(-1_i64..=1)), 4..8),
+        rows in prop::collection::vec((half_space::<3>(), prop::array::uniform4(-1_i64..=1)), 3..7),
         bits in 40_u32..90,
     ) {
         // Coincidences broken in a late bit.

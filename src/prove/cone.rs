@@ -1,6 +1,8 @@
 //! Circular cones of directions around the tangents of a node. Only for the search: what they exclude is replayed exactly.
 
-use super::vector::{Vector, add, dot, scale, unit};
+use smallvec::SmallVec;
+
+use super::vector::{Vector, add, dot, lesser, scale, unit};
 
 /// All directions within an angle of `axis`.
 #[derive(Clone, Copy, Debug)]
@@ -22,19 +24,21 @@ impl Cone {
     };
 
     /// The cone around the sum of the directions, zero vectors left out.
-    pub fn around<'v>(vectors: impl Iterator<Item = &'v Vector> + Clone) -> Cone {
+    #[inline]
+    pub fn around<'v>(vectors: impl Iterator<Item = &'v Vector>) -> Cone {
         let mut sum = [0.0; 4];
-        for direction in vectors.clone().filter_map(unit) {
-            sum = add(&sum, &direction);
+        let mut directions: SmallVec<[Vector; 8]> = SmallVec::new();
+        for vector in vectors {
+            if let Some(direction) = unit(vector) {
+                sum = add(&sum, &direction);
+                directions.push(direction);
+            }
         }
         let Some(axis) = unit(&sum) else { return Cone::FULL };
-        let least = vectors
-            .filter_map(unit)
-            .map(|direction| dot(&direction, &axis))
-            .fold(1.0, f64::min);
+        let cosines = directions.iter().map(|direction| dot(direction, &axis));
         Cone {
             axis,
-            cosine: least - SLACK,
+            cosine: cosines.fold(1.0, |least, cosine| lesser(cosine, least)) - SLACK,
         }
     }
 

@@ -194,33 +194,36 @@ impl<'n, 's> Search<'n, 's> {
     }
 
     fn split(&mut self, a: &Node, b: Option<&Node>, contact: Contact) -> Result<(), Event> {
+        let mut halves = [Node::NONE; 2];
         let Some(b) = b else {
-            let (left, right) = self.nodes.halves(a).expect("a point element is not paired with itself");
+            if !self.nodes.halves(a, &mut halves) {
+                return Err(self.stuck(a, None, contact));
+            }
+            let [left, right] = &halves;
             self.emit(&Token::Split);
             let between = Contact {
                 forward: true,
                 backward: self.nodes.floats.closed && self.nodes.is_whole(a),
             };
-            self.pair(&left, None, Contact::default())?;
-            self.pair(&left, Some(&right), between)?;
-            return self.pair(&right, None, Contact::default());
+            self.pair(left, None, Contact::default())?;
+            self.pair(left, Some(right), between)?;
+            return self.pair(right, None, Contact::default());
         };
-        if splits_first(a, b) {
-            let Some((left, right)) = self.nodes.halves(a) else {
-                return Err(self.stuck(a, Some(b), contact));
-            };
+        let first = splits_first(a, b);
+        if !self.nodes.halves(if first { a } else { b }, &mut halves) {
+            return Err(self.stuck(a, Some(b), contact));
+        }
+        let [left, right] = &halves;
+        if first {
             self.emit(&Token::First);
-            let (of_left, of_right) = contact.of_first_halves(&left, &right);
-            self.pair(&left, Some(b), of_left)?;
-            self.pair(&right, Some(b), of_right)
+            let (of_left, of_right) = contact.of_first_halves(left, right);
+            self.pair(left, Some(b), of_left)?;
+            self.pair(right, Some(b), of_right)
         } else {
-            let Some((left, right)) = self.nodes.halves(b) else {
-                return Err(self.stuck(a, Some(b), contact));
-            };
             self.emit(&Token::Second);
-            let (of_left, of_right) = contact.of_second_halves(&left, &right);
-            self.pair(a, Some(&left), of_left)?;
-            self.pair(a, Some(&right), of_right)
+            let (of_left, of_right) = contact.of_second_halves(left, right);
+            self.pair(a, Some(left), of_left)?;
+            self.pair(a, Some(right), of_right)
         }
     }
 
@@ -241,11 +244,11 @@ impl<'n, 's> Search<'n, 's> {
     /// Now and then, where all chords of a pair are shorter than the bound asked for: is there a double normal?
     fn shorter_double_normal(&self, a: &Node, b: Option<&Node>, contact: Contact) -> Option<Event> {
         let b = b?;
-        let (s, t) = (a.middle()?, b.middle()?);
         let depth = a.depth() + b.depth();
         if contact.any() || depth < 4 || !depth.is_multiple_of(6) {
             return None;
         }
+        let (s, t) = (a.middle()?, b.middle()?);
         let mut most = 0.0;
         for axis in 0..3 {
             let reach = (a.high[axis] - b.low[axis]).max(b.high[axis] - a.low[axis]);

@@ -177,7 +177,7 @@ fn not_normal(context: &Context, a: &Node, b: &Node, differences: &[Difference],
 fn bend(context: &Context, a: &Node, b: Option<&Node>, signs: Signs) -> Option<Leaf> {
     let of_a = Tangents::new(context, a)?;
     let of_b = Tangents::new(context, b.unwrap_or(a))?;
-    let path: Vec<&[Integer; 3]> = of_a.of_pieces().chain(of_b.of_pieces()).collect();
+    let path: Vec<&[Integer; 3]> = of_a.of_pieces().chain(of_b.of_pieces()).flatten().collect();
     if path.is_empty() {
         return None;
     }

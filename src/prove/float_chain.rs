@@ -150,6 +150,16 @@ impl FloatChain {
         });
     }
 
+    /// The coefficients of all pieces: for each its homogeneous control points and then those of D.
+    pub fn coefficients(&self) -> &[Vector] {
+        &self.coefficients
+    }
+
+    /// Where the coefficients of a piece start among those of all.
+    pub fn start(&self, piece: usize) -> usize {
+        self.pieces[piece].start
+    }
+
     /// The homogeneous control points of a piece.
     pub fn points(&self, piece: usize) -> &[Vector] {
         let data = &self.pieces[piece];
@@ -182,35 +192,19 @@ impl FloatChain {
 
     /// Position, first and second derivative by the local parameter u.
     pub fn evaluate(&self, piece: usize, u: f64) -> [Vector; 3] {
-        let degree = self.pieces[piece].degree;
-        let mut row: SmallVec<[Vector; 8]> = SmallVec::from_slice(self.points(piece));
-        let row = row.as_mut_slice();
-        let step = |row: &mut [Vector], count: usize| {
-            for i in 0..count {
-                for axis in 0..4 {
-                    row[i][axis] += u * (row[i + 1][axis] - row[i][axis]);
-                }
+        let points = self.points(piece);
+        let homogeneous = match <[Vector; 4]>::try_from(points) {
+            // Without loops for cubics.
+            Ok(mut row) => evaluate_row(&mut row, u),
+            Err(_) => {
+                let mut row: SmallVec<[Vector; 8]> = SmallVec::from_slice(points);
+                evaluate_row(&mut row, u)
             }
         };
-        for count in (2..degree).rev() {
-            step(row, count + 1);
-        }
-        let n = degree as f64;
-        let second = if degree >= 2 {
-            let difference = sub(&sub(&row[2], &row[1]), &sub(&row[1], &row[0]));
-            super::vector::scale(&difference, n * (n - 1.0))
-        } else {
-            [0.0; 4]
-        };
-        if degree >= 2 {
-            step(row, 2);
-        }
-        let first = super::vector::scale(&sub(&row[1], &row[0]), n);
-        step(row, 1);
-        let position = row[0];
         if !self.pieces[piece].rational {
-            return [position, first, second];
+            return homogeneous;
         }
+        let [position, first, second] = homogeneous;
         // With X = wc: X' = w'c + wc', X'' = w''c + 2w'c' + wc''.
         let w = position[3];
         let c = super::vector::scale(&position, 1.0 / w);
@@ -218,4 +212,33 @@ impl FloatChain {
         let e = [0, 1, 2].map(|i| (second[i] - second[3] * c[i] - 2.0 * first[3] * d[i]) / w);
         [c, [d[0], d[1], d[2], 0.0], [e[0], e[1], e[2], 0.0]]
     }
+}
+
+/// De Casteljau at u, in place: the value and its first two derivatives.
+#[inline(always)]
+fn evaluate_row(row: &mut [Vector], u: f64) -> [Vector; 3] {
+    let degree = row.len() - 1;
+    let step = |row: &mut [Vector], count: usize| {
+        for i in 0..count {
+            for axis in 0..4 {
+                row[i][axis] += u * (row[i + 1][axis] - row[i][axis]);
+            }
+        }
+    };
+    for count in (2..degree).rev() {
+        step(row, count + 1);
+    }
+    let n = degree as f64;
+    let second = if degree >= 2 {
+        let difference = sub(&sub(&row[2], &row[1]), &sub(&row[1], &row[0]));
+        super::vector::scale(&difference, n * (n - 1.0))
+    } else {
+        [0.0; 4]
+    };
+    if degree >= 2 {
+        step(row, 2);
+    }
+    let first = super::vector::scale(&sub(&row[1], &row[0]), n);
+    step(row, 1);
+    [row[0], first, second]
 }

@@ -3,6 +3,8 @@
 //! Both rules ask for αa + βb > 0 at all points (a, b) of a set of rectangles. The directions of these points must leave out a half-plane; then the
 //! bisector of the cone they span is the safest (α, β), and a rounded one with few bits mostly does.
 
+use super::vector::{greater, lesser, nearest_integer};
+
 /// a between `a[0]` and `a[1]`, b between `b[0]` and `b[1]`.
 #[derive(Clone, Copy, Debug)]
 pub struct Rectangle {
@@ -16,6 +18,7 @@ pub struct Rectangle {
 pub type Signs = [i8; 2];
 
 /// Does αa + βb exceed |α|·errors[0] + |β|·errors[1] on all rectangles, with signs that are allowed?
+#[inline]
 fn works(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs, factors: [i64; 2]) -> bool {
     let [alpha, beta] = factors.map(|factor| factor as f64);
     let margin = (alpha.abs() * errors[0] + beta.abs() * errors[1]) * 1.000_001;
@@ -30,58 +33,109 @@ fn works(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs, factors: [i64
 
 /// Integers α, β with αa + βb > |α|·errors[0] + |β|·errors[1] on all rectangles.
 pub fn choose(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs) -> Option<[i64; 2]> {
+    // Where no half-plane is left, nothing can serve.
+    let mut span = Span::default();
+    if !rectangles.iter().all(|rectangle| span.include(rectangle)) {
+        return None;
+    }
     let units = [[1, 0], [-1, 0], [0, 1], [0, -1]].into_iter();
     let mut units = units.filter(|factors| works(rectangles, errors, signs, *factors));
-    units.next().or_else(|| choose_mixed(rectangles, errors, signs))
+    units
+        .next()
+        .or_else(|| round_bisector(rectangles, span.bisector()?, errors, signs))
 }
 
-/// The same where α = 0 and β = 0 are known not to serve.
-pub fn choose_mixed(rectangles: &[Rectangle], errors: [f64; 2], signs: Signs) -> Option<[i64; 2]> {
-    let [alpha, beta] = bisector(rectangles)?;
+/// Rounds a bisector, from few bits to many, until it serves.
+pub fn round_bisector(
+    rectangles: &[Rectangle],
+    [alpha, beta]: [f64; 2],
+    errors: [f64; 2],
+    signs: Signs,
+) -> Option<[i64; 2]> {
     let greatest = alpha.abs().max(beta.abs());
     [2u32, 4, 7, 12, 20, 30].into_iter().find_map(|bits| {
         let factor = ((1i64 << bits) - 1) as f64 / greatest;
-        let factors = [(alpha * factor).round() as i64, (beta * factor).round() as i64];
+        let factors = [nearest_integer(alpha * factor), nearest_integer(beta * factor)];
+        if !works(rectangles, errors, signs, factors) {
+            return None;
+        }
         let common = num_integer::gcd(factors[0], factors[1]).max(1);
-        works(rectangles, errors, signs, factors).then_some(factors.map(|factor| factor / common))
+        Some(factors.map(|factor| factor / common))
     })
 }
 
-/// The bisector of the cone spanned by the rectangles' corners, if that cone is less than a half-plane.
-fn bisector(rectangles: &[Rectangle]) -> Option<[f64; 2]> {
-    let corners = rectangles
-        .iter()
-        .flat_map(|r| [[r.a[0], r.b[0]], [r.a[0], r.b[1]], [r.a[1], r.b[0]], [r.a[1], r.b[1]]]);
-    let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
-    let mut span: Option<([f64; 2], [f64; 2])> = None;
-    for point in corners {
-        if point == [0.0, 0.0] {
-            return None;
+/// The cone that some points (a, b) span, as long as it is less than a half-plane.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Span {
+    /// Its two ends, counter-clockwise.
+    ends: Option<([f64; 2], [f64; 2])>,
+}
+
+fn cross(p: [f64; 2], q: [f64; 2]) -> f64 {
+    p[0] * q[1] - p[1] * q[0]
+}
+
+impl Span {
+    /// Widens the cone by the corners of a rectangle; `false` when no half-plane is left.
+    #[inline]
+    pub fn include(&mut self, r: &Rectangle) -> bool {
+        if let Some((right, left)) = self.ends {
+            // The least of each product over the four corners.
+            let of_right = least_product(right[0], &r.b) - greatest_product(right[1], &r.a);
+            let to_left = least_product(left[1], &r.a) - greatest_product(left[0], &r.b);
+            if of_right > 0.0 && to_left > 0.0 {
+                return true;
+            }
         }
-        let Some((right, left)) = &mut span else {
-            span = Some((point, point));
-            continue;
+        let corners = [[r.a[0], r.b[0]], [r.a[0], r.b[1]], [r.a[1], r.b[0]], [r.a[1], r.b[1]]];
+        corners.into_iter().all(|corner| self.include_point(corner))
+    }
+
+    fn include_point(&mut self, point: [f64; 2]) -> bool {
+        if point == [0.0, 0.0] {
+            return false;
+        }
+        let Some((right, left)) = &mut self.ends else {
+            self.ends = Some((point, point));
+            return true;
         };
         let (from_right, to_left) = (cross(*right, point), cross(point, *left));
         // The two ends of a cone of no width: opposite points leave no half-plane.
         if from_right == 0.0 && to_left == 0.0 && right[0] * point[0] + right[1] * point[1] < 0.0 {
-            return None;
+            return false;
         }
         match (from_right >= 0.0, to_left >= 0.0) {
             (true, true) => {}
             (false, true) => *right = point,
             (true, false) => *left = point,
-            (false, false) => return None,
+            (false, false) => return false,
         }
+        true
     }
-    let (right, left) = span?;
-    let norm = |p: [f64; 2]| {
-        let length = (p[0] * p[0] + p[1] * p[1]).sqrt();
-        [p[0] / length, p[1] / length]
-    };
-    let (right, left) = (norm(right), norm(left));
-    let sum = [right[0] + left[0], right[1] + left[1]];
-    (sum != [0.0, 0.0] && sum.iter().all(|x| x.is_finite())).then_some(sum)
+
+    /// The bisector of the cone.
+    pub fn bisector(&self) -> Option<[f64; 2]> {
+        let (right, left) = self.ends?;
+        let norm = |p: [f64; 2]| {
+            let length = (p[0] * p[0] + p[1] * p[1]).sqrt();
+            [p[0] / length, p[1] / length]
+        };
+        let (right, left) = (norm(right), norm(left));
+        let sum = [right[0] + left[0], right[1] + left[1]];
+        (sum != [0.0, 0.0] && sum.iter().all(|x| x.is_finite())).then_some(sum)
+    }
+}
+
+/// The least of `factor`·x over an interval.
+#[inline]
+fn least_product(factor: f64, range: &[f64; 2]) -> f64 {
+    lesser(factor * range[0], factor * range[1])
+}
+
+/// The greatest of `factor`·x over an interval.
+#[inline]
+fn greatest_product(factor: f64, range: &[f64; 2]) -> f64 {
+    greater(factor * range[0], factor * range[1])
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::cone::Cone;
 use super::float_chain::{FloatChain, UNIT};
-use super::vector::{Vector, dot, middle, sub};
+use super::vector::{Vector, dot, greater, greater_of_each, greatest, lesser_of_each, middle, sub};
 use crate::check::cover::Context;
 use crate::check::element::{Element, Node as ExactNode, corner_pieces, point_location};
 use crate::check::part::Part as ExactPart;
@@ -32,13 +32,6 @@ pub enum Kind {
     },
 }
 
-/// A stretch of the arena.
-#[derive(Clone, Copy, Debug)]
-pub struct Stretch {
-    start: usize,
-    end: usize,
-}
-
 /// A node with its geometry.
 #[derive(Clone, Copy, Debug)]
 pub struct Node {
@@ -50,16 +43,40 @@ pub struct Node {
     pub high: Vector,
     /// Error bound of hull coordinates.
     pub error: f64,
+    /// The error bound, and 4·[`UNIT`] of the greatest magnitude of a coordinate: room for the rounding of products with hull points.
+    pub margin: f64,
     /// Error bound of tangent components.
     pub tangent_error: f64,
     /// Is an end of the curve in it?
     pub has_end: bool,
-    coefficients: Stretch,
-    hull: Stretch,
-    tangents: Stretch,
+    /// Where its coefficients are: homogeneous points, then tangents.
+    start: usize,
+    /// Where its hull points are; the same for a polynomial piece.
+    hull: usize,
+    points: u32,
+    tangents: u32,
 }
 
 impl Node {
+    /// A node to be overwritten.
+    pub const NONE: Node = Node {
+        kind: Kind::Run {
+            number: 0,
+            first: 0,
+            last: 0,
+        },
+        low: [0.0; 4],
+        high: [0.0; 4],
+        error: 0.0,
+        margin: 0.0,
+        tangent_error: 0.0,
+        has_end: false,
+        start: 0,
+        hull: 0,
+        points: 0,
+        tangents: 0,
+    };
+
     /// Is it a run?
     pub fn is_run(&self) -> bool {
         matches!(self.kind, Kind::Run { .. })
@@ -95,6 +112,8 @@ impl Node {
 }
 
 /// Curve data for the search and a stack of coefficients.
+///
+/// Coefficients have one numbering: first those of the chain's pieces, then those on the stack.
 pub struct Nodes<'s> {
     /// The exact curve.
     pub context: &'s Context<'s>,
@@ -104,7 +123,11 @@ pub struct Nodes<'s> {
     pub run_cones: &'s [Cone],
     /// 2^-grid.
     pub grid_unit: f64,
-    arena: Vec<Vector>,
+    /// The chain's own coefficients.
+    fixed: &'s [Vector],
+    stack: Vec<Vector>,
+    /// How much of the stack is in use; what is above it is left from before.
+    height: usize,
 }
 
 /// The cones of all runs, numbered as the boxes are.
@@ -155,18 +178,39 @@ impl<'s> Nodes<'s> {
             floats,
             run_cones,
             grid_unit,
-            arena: Vec::with_capacity(1024),
+            fixed: floats.coefficients(),
+            stack: Vec::with_capacity(256),
+            height: 0,
         }
     }
 
     /// The height of the stack, to return to.
     pub fn mark(&self) -> usize {
-        self.arena.len()
+        self.height
     }
 
     /// Forgets everything above a mark.
     pub fn release(&mut self, mark: usize) {
-        self.arena.truncate(mark);
+        self.height = mark;
+    }
+
+    /// Takes room on the stack; returns its place there.
+    fn take(&mut self, count: usize) -> usize {
+        let place = self.height;
+        self.height += count;
+        if self.stack.len() < self.height {
+            self.stack.resize(self.height, [0.0; 4]);
+        }
+        place
+    }
+
+    /// `count` vectors from `start` on, in the numbering of all coefficients.
+    #[inline]
+    fn vectors(&self, start: usize, count: u32) -> &[Vector] {
+        match start.checked_sub(self.fixed.len()) {
+            None => &self.fixed[start..start + count as usize],
+            Some(place) => &self.stack[place..place + count as usize],
+        }
     }
 
     /// The node of all elements.
@@ -176,46 +220,51 @@ impl<'s> Nodes<'s> {
 
     /// The node of the elements `first … last−1`, which is run `number` if there are at least two.
     pub fn of_elements(&mut self, number: usize, first: usize, last: usize) -> Node {
+        let mut node = Node::NONE;
+        self.write_elements(number, first, last, &mut node);
+        node
+    }
+
+    /// The same, written where it is to be: nodes are large, and moving them takes time.
+    #[inline]
+    fn write_elements(&mut self, number: usize, first: usize, last: usize, node: &mut Node) {
         if last - first >= 2 {
             let elements = &self.context.elements;
-            let [low, high] = self.run_box(number);
-            let none = Stretch { start: 0, end: 0 };
             let is_end = |i: usize| matches!(elements.get(i), Element::Start | Element::End);
-            return Node {
-                kind: Kind::Run { number, first, last },
-                low,
-                high,
-                error: 0.0,
-                tangent_error: 0.0,
-                has_end: is_end(first) || is_end(last - 1),
-                coefficients: none,
-                hull: none,
-                tangents: none,
-            };
+            [node.low, node.high] = self.run_box(number);
+            node.kind = Kind::Run { number, first, last };
+            node.error = 0.0;
+            node.margin = 4.0 * UNIT * reach(&node.low, &node.high);
+            node.tangent_error = 0.0;
+            node.has_end = is_end(first) || is_end(last - 1);
+            (node.start, node.hull, node.points, node.tangents) = (0, 0, 0, 0);
+            return;
         }
         match self.context.elements.get(first) {
-            Element::Piece(piece) => {
-                let start = self.arena.len();
-                self.arena.extend_from_slice(self.floats.points(piece));
-                let middle = self.arena.len();
-                self.arena.extend_from_slice(self.floats.tangents(piece));
-                self.part(
-                    piece,
-                    0,
-                    0,
-                    Stretch { start, end: middle },
-                    Stretch {
-                        start: middle,
-                        end: self.arena.len(),
-                    },
-                )
-            }
-            point => self.point(point),
+            Element::Piece(piece) => self.write_part(piece, 0, 0, self.floats.start(piece), node),
+            point => *node = self.point(point),
         }
     }
 
     /// The box of a run in floats: exact up to 2^53 grid units, rounded outward beyond.
+    #[inline]
     fn run_box(&self, number: usize) -> [Vector; 2] {
+        if let crate::check::boxes::Boxes::Narrow(boxes) = &self.context.boxes {
+            let [low, high] = &boxes[number];
+            // All six at once: bits above the 53rd of a magnitude, or of its complement.
+            let bits = low.iter().chain(high).fold(0, |bits, x| bits | (x ^ (x >> 63)));
+            if bits >> 53 == 0 {
+                let vector = |v: &[i64; 3]| {
+                    let [x, y, z] = v.map(|x| x as f64 * self.grid_unit);
+                    [x, y, z, 0.0]
+                };
+                return [vector(low), vector(high)];
+            }
+        }
+        self.large_run_box(number)
+    }
+
+    fn large_run_box(&self, number: usize) -> [Vector; 2] {
         let outward = |x: &i64, up: bool| {
             let nearest = *x as f64;
             let slack = if x.unsigned_abs() >> 53 == 0 {
@@ -265,123 +314,106 @@ impl<'s> Nodes<'s> {
             }
             _ => self.floats.errors(piece, 0).2,
         };
-        let start = self.arena.len();
-        self.arena.push(point);
-        let middle = self.arena.len();
-        self.arena.extend(tangents);
+        let place = self.take(1 + tangents.len());
+        self.stack[place] = point;
+        self.stack[place + 1..][..tangents.len()].copy_from_slice(&tangents);
+        let start = self.fixed.len() + place;
         Node {
             kind: Kind::Point(element),
             low: point,
             high: point,
             error,
+            margin: error + 4.0 * UNIT * reach(&point, &point),
             tangent_error,
             has_end: !matches!(element, Element::Corner(_)),
-            coefficients: Stretch { start, end: middle },
-            hull: Stretch { start, end: middle },
-            tangents: Stretch {
-                start: middle,
-                end: self.arena.len(),
-            },
+            start,
+            hull: start,
+            points: 1,
+            tangents: tangents.len() as u32,
         }
     }
 
-    fn part(&mut self, piece: usize, index: u128, depth: u32, coefficients: Stretch, tangents: Stretch) -> Node {
-        let (mut error, weight_error, tangent_error) = self.floats.errors(piece, depth);
-        let mut hull = coefficients;
-        if self.floats.pieces[piece].rational {
-            let start = self.arena.len();
-            let (mut least_weight, mut greatest) = (f64::INFINITY, 0.0f64);
-            for k in coefficients.start..coefficients.end {
-                let homogeneous = self.arena[k];
-                let point = super::vector::scale(&homogeneous, 1.0 / homogeneous[3]);
-                least_weight = least_weight.min(homogeneous[3]);
-                greatest = greatest.max(super::vector::greatest(&point));
-                self.arena.push(point);
-            }
-            hull = Stretch {
-                start,
-                end: self.arena.len(),
-            };
-            error = affine_error(error, weight_error, least_weight, greatest);
+    /// Writes a part whose coefficients start at `start`.
+    fn write_part(&mut self, piece: usize, index: u128, depth: u32, start: usize, node: &mut Node) {
+        let data = &self.floats.pieces[piece];
+        node.points = data.degree as u32 + 1;
+        node.tangents = data.tangent_degree as u32 + 1;
+        let (error, weight_error, tangent_error) = self.floats.errors(piece, depth);
+        (node.hull, node.error) = if data.rational {
+            self.affine_hull(start, node.points, error, weight_error)
+        } else {
+            (start, error)
+        };
+        let all = self.vectors(node.hull, node.points);
+        let (mut low, mut high) = (all[0], all[0]);
+        for point in &all[1..] {
+            low = lesser_of_each(point, &low);
+            high = greater_of_each(point, &high);
         }
-        let points = &self.arena[hull.start..hull.end];
-        let (mut low, mut high) = (points[0], points[0]);
-        for point in &points[1..] {
-            for axis in 0..3 {
-                low[axis] = low[axis].min(point[axis]);
-                high[axis] = high[axis].max(point[axis]);
-            }
-        }
-        let kind = Kind::Part { piece, index, depth };
-        Node {
-            kind,
-            low,
-            high,
-            error,
-            tangent_error,
-            has_end: false,
-            coefficients,
-            hull,
-            tangents,
-        }
+        (node.low, node.high) = (low, high);
+        node.kind = Kind::Part { piece, index, depth };
+        node.margin = node.error + 4.0 * UNIT * reach(&low, &high);
+        node.tangent_error = tangent_error;
+        node.has_end = false;
+        node.start = start;
     }
 
-    /// The two halves of a node; `None` for a corner or an end.
-    pub fn halves(&mut self, node: &Node) -> Option<(Node, Node)> {
+    /// Puts the affine points of a rational part on the stack; returns where they are and the error bound of their coordinates.
+    #[inline(never)]
+    fn affine_hull(&mut self, start: usize, points: u32, error: f64, weight_error: f64) -> (usize, f64) {
+        let place = self.take(points as usize);
+        let (mut least_weight, mut greatest) = (f64::INFINITY, 0.0f64);
+        for k in 0..points as usize {
+            let homogeneous = self.vectors(start, points)[k];
+            let point = super::vector::scale(&homogeneous, 1.0 / homogeneous[3]);
+            least_weight = least_weight.min(homogeneous[3]);
+            greatest = greatest.max(super::vector::greatest(&point));
+            self.stack[place + k] = point;
+        }
+        let error = affine_error(error, weight_error, least_weight, greatest);
+        (self.fixed.len() + place, error)
+    }
+
+    /// Writes the two halves of a node; `false` for a corner or an end, which has none.
+    pub fn halves(&mut self, node: &Node, [left, right]: &mut [Node; 2]) -> bool {
+        use crate::check::boxes::Boxes;
         match node.kind {
             Kind::Run { number, first, last } => {
                 let middle = (first + last) / 2;
-                let left = self.of_elements(crate::check::boxes::Boxes::left(number), first, middle);
-                let right = self.of_elements(crate::check::boxes::Boxes::right(number, middle - first), middle, last);
-                Some((left, right))
+                self.write_elements(Boxes::left(number), first, middle, left);
+                self.write_elements(Boxes::right(number, middle - first), middle, last, right);
             }
-            Kind::Point(_) => None,
+            Kind::Point(_) => return false,
             Kind::Part { piece, index, depth } => {
-                let (left_points, right_points) = self.halve(node.coefficients);
-                let (left_tangents, right_tangents) = self.halve(node.tangents);
-                let left = self.part(piece, 2 * index, depth + 1, left_points, left_tangents);
-                let right = self.part(piece, 2 * index + 1, depth + 1, right_points, right_tangents);
-                Some((left, right))
+                let (points, tangents) = (node.points as usize, node.tangents as usize);
+                let size = points + tangents;
+                let place = self.take(2 * size);
+                let (below, above) = self.stack.split_at_mut(place);
+                let from = match node.start.checked_sub(self.fixed.len()) {
+                    None => &self.fixed[node.start..node.start + size],
+                    Some(place) => &below[place..place + size],
+                };
+                let (first, second) = above[..2 * size].split_at_mut(size);
+                halve(&from[..points], &mut first[..points], &mut second[..points]);
+                halve(&from[points..], &mut first[points..], &mut second[points..]);
+                let start = self.fixed.len() + place;
+                self.write_part(piece, 2 * index, depth + 1, start, left);
+                self.write_part(piece, 2 * index + 1, depth + 1, start + size, right);
             }
         }
-    }
-
-    /// De Casteljau at the middle, on the stack.
-    fn halve(&mut self, from: Stretch) -> (Stretch, Stretch) {
-        let count = from.end - from.start;
-        let start = self.arena.len();
-        self.arena.resize(start + 2 * count, [0.0; 4]);
-        let (below, above) = self.arena.split_at_mut(start);
-        let (left, right) = above.split_at_mut(count);
-        right.copy_from_slice(&below[from.start..from.end]);
-        for k in 0..count {
-            left[k] = right[0];
-            for i in 0..count - 1 - k {
-                right[i] = middle(&right[i], &right[i + 1]);
-            }
-        }
-        (
-            Stretch {
-                start,
-                end: start + count,
-            },
-            Stretch {
-                start: start + count,
-                end: start + 2 * count,
-            },
-        )
+        true
     }
 
     /// Hull points of a part, a corner or an end.
     #[inline]
     pub fn hull(&self, node: &Node) -> &[Vector] {
-        &self.arena[node.hull.start..node.hull.end]
+        self.vectors(node.hull, node.points)
     }
 
     /// Tangents of a part, a corner or an end, zero vectors included.
     #[inline]
     pub fn tangents(&self, node: &Node) -> &[Vector] {
-        &self.arena[node.tangents.start..node.tangents.end]
+        self.vectors(node.start + node.points as usize, node.tangents)
     }
 
     /// A cone around the tangents of a node.
@@ -389,7 +421,11 @@ impl<'s> Nodes<'s> {
         match node.kind {
             Kind::Run { number, .. } => self.run_cones[number],
             Kind::Part { piece, depth: 0, .. } => self.floats.pieces[piece].cone,
-            _ => Cone::around(self.tangents(node).iter()),
+            _ => match <&[Vector; 3]>::try_from(self.tangents(node)) {
+                // Without loops for cubics.
+                Ok(tangents) => Cone::around(tangents.iter()),
+                Err(_) => Cone::around(self.tangents(node).iter()),
+            },
         }
     }
 
@@ -418,6 +454,44 @@ impl<'s> Nodes<'s> {
             }
         }
     }
+}
+
+/// De Casteljau at the middle. Cubics and their derivatives have code of their own, without loops.
+fn halve(from: &[Vector], left: &mut [Vector], right: &mut [Vector]) {
+    match from.len() {
+        3 => halve_fixed::<3>(from, left, right),
+        4 => halve_fixed::<4>(from, left, right),
+        _ => {
+            right.copy_from_slice(from);
+            halve_row(left, right);
+        }
+    }
+}
+
+#[inline]
+fn halve_fixed<const N: usize>(from: &[Vector], left: &mut [Vector], right: &mut [Vector]) {
+    let (mut first, mut row) = ([[0.0; 4]; N], [[0.0; 4]; N]);
+    row.copy_from_slice(from);
+    halve_row(&mut first, &mut row);
+    left.copy_from_slice(&first);
+    right.copy_from_slice(&row);
+}
+
+/// Halves `row`, which becomes the right half.
+#[inline(always)]
+fn halve_row(left: &mut [Vector], row: &mut [Vector]) {
+    let count = row.len();
+    for k in 0..count {
+        left[k] = row[0];
+        for i in 0..count - 1 - k {
+            row[i] = middle(&row[i], &row[i + 1]);
+        }
+    }
+}
+
+/// The greatest magnitude of a coordinate of a box.
+fn reach(low: &Vector, high: &Vector) -> f64 {
+    greater(greatest(low), greatest(high))
 }
 
 fn affine_error(error: f64, weight_error: f64, least_weight: f64, greatest: f64) -> f64 {

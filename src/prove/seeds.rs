@@ -7,7 +7,7 @@ use super::cover::{Contact, splits_first};
 use super::leaf;
 use super::newton::{self, Candidate, Location};
 use super::node::{Kind, Node, Nodes};
-use super::vector::{dot, sub};
+use super::vector::{dot, greater, sub};
 use crate::check::element::Element;
 
 /// Parts are given to Newton's method when all tangents make an angle of at least this cosine with an axis.
@@ -63,13 +63,14 @@ pub fn find(nodes: &mut Nodes, steps: u64) -> Found {
 fn box_distance(a: &Node, b: &Node) -> f64 {
     let mut sum = 0.0;
     for axis in 0..3 {
-        let apart = (a.low[axis] - b.high[axis]).max(b.low[axis] - a.high[axis]).max(0.0);
+        let apart = greater(greater(a.low[axis] - b.high[axis], b.low[axis] - a.high[axis]), 0.0);
         sum += apart * apart;
     }
     sum
 }
 
 impl Seeds<'_, '_> {
+    /// Looks for double normals between two nodes that are nearer than the shortest so far, or of one node.
     fn pair(&mut self, a: &Node, b: Option<&Node>, contact: Contact) {
         let Some(b) = b else {
             if a.is_point() || self.nodes.cone(a).cosine > 0.1 {
@@ -80,19 +81,23 @@ impl Seeds<'_, '_> {
                 return;
             }
             let mark = self.nodes.mark();
-            if let Some((left, right)) = self.nodes.halves(a) {
+            let mut halves = [Node::NONE; 2];
+            if self.nodes.halves(a, &mut halves) {
+                let [left, right] = &halves;
                 let between = Contact {
                     forward: true,
                     backward: self.nodes.floats.closed && self.nodes.is_whole(a),
                 };
-                self.pair(&left, None, Contact::default());
-                self.pair(&right, None, Contact::default());
-                self.pair(&left, Some(&right), between);
+                self.pair(left, None, Contact::default());
+                self.pair(right, None, Contact::default());
+                if box_distance(left, right) < self.shortest {
+                    self.pair(left, Some(right), between);
+                }
             }
             self.nodes.release(mark);
             return;
         };
-        if self.steps == 0 || box_distance(a, b) >= self.shortest {
+        if self.steps == 0 {
             return;
         }
         self.steps -= 1;
@@ -109,22 +114,28 @@ impl Seeds<'_, '_> {
         }
         let mark = self.nodes.mark();
         let first = splits_first(a, b);
-        if let Some((left, right)) = self.nodes.halves(if first { a } else { b }) {
+        let mut halves = [Node::NONE; 2];
+        if self.nodes.halves(if first { a } else { b }, &mut halves) {
+            let [left, right] = &halves;
             let (of_left, of_right) = if first {
-                contact.of_first_halves(&left, &right)
+                contact.of_first_halves(left, right)
             } else {
-                contact.of_second_halves(&left, &right)
+                contact.of_second_halves(left, right)
             };
             let other = if first { b } else { a };
-            let mut halves = [(left, of_left), (right, of_right)];
-            if box_distance(&halves[1].0, other) < box_distance(&halves[0].0, other) {
+            let (to_left, to_right) = (box_distance(left, other), box_distance(right, other));
+            let mut halves = [(left, of_left, to_left), (right, of_right, to_right)];
+            if to_right < to_left {
                 halves.swap(0, 1);
             }
-            for (half, contact) in halves {
+            for (half, contact, distance) in halves {
+                if distance >= self.shortest {
+                    continue;
+                }
                 if first {
-                    self.pair(&half, Some(b), contact)
+                    self.pair(half, Some(b), contact)
                 } else {
-                    self.pair(a, Some(&half), contact)
+                    self.pair(a, Some(half), contact)
                 }
             }
         }

@@ -85,8 +85,9 @@ pub fn search(curve: &Curve, goal: &Goal, out: &mut dyn Write, progress: &dyn Fn
     let total = items.len();
     for (done, batch) in items.chunks(BATCH).enumerate() {
         progress((done * BATCH) as f64 / total as f64);
-        // Small curves are not worth waking other threads.
-        let results: Vec<Result<(Vec<u8>, u64), Event>> = if total < 4 {
+        // Small curves are not worth waking other threads, and one other thread does nothing sooner.
+        let alone = total < 4 || rayon::current_num_threads() == 1;
+        let results: Vec<Result<(Vec<u8>, u64), Event>> = if alone {
             batch.iter().map(|item| subtree(curve, goal, item)).collect()
         } else {
             batch.par_iter().map(|item| subtree(curve, goal, item)).collect()
@@ -112,6 +113,7 @@ fn subtree(curve: &Curve, goal: &Goal, item: &Item) -> Result<(Vec<u8>, u64), Ev
             let a = nodes.of_elements(a.number, a.first, a.last);
             let b = b.map(|b| nodes.of_elements(b.number, b.first, b.last));
             let mut search = Search::new(&mut nodes, goal);
+            search.tokens.reserve(512);
             search.pair(&a, b.as_ref(), *contact)?;
             Ok((search.tokens, search.leaves))
         }

@@ -33,16 +33,50 @@ pub fn dot(a: &Vector, b: &Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// The lesser of two numbers; `b` if either is not a number. One instruction, where `f64::min` takes several.
+#[inline]
+pub fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// The greater of two numbers; `b` if either is not a number. One instruction, where `f64::max` takes several.
+#[inline]
+pub fn greater(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// The lesser components of two vectors, as [`lesser`].
+#[inline]
+pub fn lesser_of_each(a: &Vector, b: &Vector) -> Vector {
+    [
+        lesser(a[0], b[0]),
+        lesser(a[1], b[1]),
+        lesser(a[2], b[2]),
+        lesser(a[3], b[3]),
+    ]
+}
+
+/// The greater components of two vectors, as [`greater`].
+#[inline]
+pub fn greater_of_each(a: &Vector, b: &Vector) -> Vector {
+    [
+        greater(a[0], b[0]),
+        greater(a[1], b[1]),
+        greater(a[2], b[2]),
+        greater(a[3], b[3]),
+    ]
+}
+
 /// |x| + |y| + |z|.
 #[inline]
 pub fn norm1(a: &Vector) -> f64 {
     a[0].abs() + a[1].abs() + a[2].abs()
 }
 
-/// The greatest of |x|, |y|, |z|.
+/// The greatest of |x|, |y|, |z|. Where one of them is not a number the answer need not be the greatest of the others.
 #[inline]
 pub fn greatest(a: &Vector) -> f64 {
-    a[0].abs().max(a[1].abs()).max(a[2].abs())
+    greater(a[0].abs(), greater(a[1].abs(), a[2].abs()))
 }
 
 /// a/|a|, or `None` for the zero vector.
@@ -50,6 +84,13 @@ pub fn greatest(a: &Vector) -> f64 {
 pub fn unit(a: &Vector) -> Option<Vector> {
     let square = dot(a, a);
     (square > 0.0 && square.is_finite()).then(|| scale(a, 1.0 / square.sqrt()))
+}
+
+/// An integer nearest to x, as far as it matters for a choice: near the middle between two integers it may be the wrong one of them.
+#[inline]
+pub fn nearest_integer(x: f64) -> i64 {
+    // Faster than `round`, which is a function call on processors of old.
+    (x + 0.5f64.copysign(x)) as i64
 }
 
 /// The integer vector nearest to a multiple of `a` whose greatest component is 2^bits − 1.
@@ -60,7 +101,7 @@ pub fn quantised(a: &Vector, bits: u32) -> [i64; 3] {
     }
     // Divided first, so that neither tiny nor huge vectors leave the range.
     let factor = ((1i64 << bits) - 1) as f64;
-    [0, 1, 2].map(|i| (a[i] / greatest * factor).round() as i64)
+    [0, 1, 2].map(|i| nearest_integer(a[i] / greatest * factor))
 }
 
 /// An integer vector as floats; exact below 2^53.

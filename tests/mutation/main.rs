@@ -4,6 +4,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod half_plane;
 #[path = "../rules/subjects/mod.rs"]
 mod subjects;
 mod truth;
@@ -21,11 +22,13 @@ use knotproof::prove::msd::{Options, certify};
 use truth::{Enclosure, is_true, recomputed, zero};
 use values::{other_values, pointers};
 
+/// Is what a document states true?
+type Truth = Box<dyn Fn(&Document) -> bool>;
+
 /// What became of the mutants of one certificate.
 struct Tally {
     name: String,
-    original: Document<'static>,
-    known: [Enclosure; 2],
+    truth: Truth,
     accepted: Vec<Vec<u8>>,
     rejected: Vec<Vec<u8>>,
 }
@@ -34,44 +37,51 @@ fn statement_of<'d>(document: &'d Document) -> &'d Statement {
     &document.claim.msd().expect("a certificate of the claim msd").statement
 }
 
+/// The truth about σ: what is known of the original's curve in both conventions, and by recomputation of any other curve.
+fn truth_of_msd(original: &[u8], known: [Enclosure; 2]) -> Truth {
+    let Verdict::Accepted { document: original, .. } = check(original) else {
+        panic!("the original is accepted")
+    };
+    Box::new(move |document| {
+        let Some(content) = document.claim.msd() else {
+            return false;
+        };
+        let statement = &content.statement;
+        if document.curve == original.curve {
+            is_true(
+                statement,
+                &known[usize::from(statement.convention == Convention::Critical)],
+            )
+        } else {
+            is_true(statement, &recomputed(&document.curve, statement.convention))
+        }
+    })
+}
+
 impl Tally {
-    fn new(name: &str, bytes: &[u8], known: [Enclosure; 2]) -> Self {
-        let Verdict::Accepted { document: original, .. } = check(bytes) else {
+    fn new(name: &str, bytes: &[u8], truth: Truth) -> Self {
+        let Verdict::Accepted { document, .. } = check(bytes) else {
             panic!("{name} is accepted")
         };
-        let tally = Tally {
+        assert!(truth(&document), "{name} itself");
+        Tally {
             name: name.into(),
-            original: *original,
-            known,
+            truth,
             accepted: Vec::new(),
             rejected: Vec::new(),
-        };
-        let statement = statement_of(&tally.original);
-        assert!(is_true(statement, tally.known_of(statement)), "{name} itself");
-        tally
-    }
-
-    fn known_of(&self, statement: &Statement) -> &Enclosure {
-        &self.known[usize::from(statement.convention == Convention::Critical)]
+        }
     }
 
     fn judge(&mut self, bytes: Vec<u8>, what: &str) {
         match check(bytes.as_slice()) {
             Verdict::Accepted { document, .. } => {
-                let statement = statement_of(&document);
-                let true_again = if document.curve == self.original.curve {
-                    is_true(statement, self.known_of(statement))
-                } else {
-                    let recompute = || recomputed(&document.curve, statement.convention);
-                    let known = std::panic::catch_unwind(recompute);
-                    let known =
-                        known.unwrap_or_else(|_| panic!("{}: {what}: {}", self.name, String::from_utf8_lossy(&bytes)));
-                    is_true(statement, &known)
-                };
+                let found = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| (self.truth)(&document)));
+                let true_again =
+                    found.unwrap_or_else(|_| panic!("{}: {what}: {}", self.name, String::from_utf8_lossy(&bytes)));
                 assert!(
                     true_again,
                     "{}: {what} is accepted and false: {:?}",
-                    self.name, statement
+                    self.name, document.claim
                 );
                 self.accepted.push(bytes);
             }
@@ -188,14 +198,15 @@ fn exactly(squared: i64) -> [Enclosure; 2] {
 
 fn run(name: &str, certificate: &Certificate, known: Option<[Enclosure; 2]>, sample: usize) {
     let bytes = certificate.json();
-    let mut tally = Tally::new(name, &bytes, known.unwrap_or_else(|| both(&bytes)));
+    let known = known.unwrap_or_else(|| both(&bytes));
+    let mut tally = Tally::new(name, &bytes, truth_of_msd(&bytes, known));
     mutate_json(&mut tally, certificate);
     tally.agree(sample);
 }
 
 fn run_binary(name: &str, certificate: &Certificate, sample: usize) {
     let bytes = certificate.binary();
-    let mut tally = Tally::new(name, &bytes, both(&bytes));
+    let mut tally = Tally::new(name, &bytes, truth_of_msd(&bytes, both(&bytes)));
     mutate_bytes(&mut tally, &bytes);
     tally.agree(sample);
 }
@@ -316,4 +327,32 @@ fn the_recomputation_refutes_what_is_false() {
     statement.lower_squared = Lower::Finite(zero());
     statement.upper_squared = Some(Rational::from_integer(8.into()));
     assert!(!is_true(&statement, &known));
+}
+
+/// A certificate about the domain of a parabola's points, which is a half-plane.
+fn run_domain(name: &str, certificate: &Certificate) {
+    let bytes = certificate.json();
+    let mut tally = Tally::new(name, &bytes, Box::new(half_plane::is_true));
+    mutate_json(&mut tally, certificate);
+    tally.agree(5);
+}
+
+#[test]
+fn half_planes() {
+    run_domain("rectangle", &subjects::domain::rectangle());
+    run_domain("below", &subjects::empty::below());
+    run_domain("from below", &subjects::nearest::from_below());
+    run_domain("fair", &subjects::nearest::fair());
+    run_domain("half", &subjects::change::half());
+    run_domain("strip", &subjects::ball::strip());
+}
+
+#[test]
+fn bytes_of_half_planes() {
+    for certificate in [subjects::domain::rectangle(), subjects::empty::below()] {
+        let bytes = certificate.binary();
+        let mut tally = Tally::new("half-plane", &bytes, Box::new(half_plane::is_true));
+        mutate_bytes(&mut tally, &bytes);
+        tally.agree(20);
+    }
 }

@@ -42,6 +42,12 @@ verified!(
     text,
     binary,
     numbers,
+    domain,
+    sandwich,
+    empty,
+    nearest,
+    change,
+    ball,
 );
 
 #[test]

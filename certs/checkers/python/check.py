@@ -12,11 +12,12 @@ import os
 import re
 import sys
 
+import domain
 import msd
 from curve import curve_block, read_chain
 from document import BinaryReader, Reject, anything, expect, natural, parse_json, record, text, variant
 
-CLAIMS = {"msd": msd}  # modules with the fields STATEMENT and EVIDENCE, and the functions check and sentence
+CLAIMS = {"msd": msd, "domain": domain}  # modules with STATEMENT, evidence_of, check and sentence
 MAX_HEADER = 16_777_216
 MAX_JSON_BYTES = (1 << 30) - 1
 MAGIC = b"KNOTCRT1"
@@ -44,7 +45,7 @@ def check_certificate(data, wanted_hash=None):
     document, binary = read_document(data)
     found = DOCUMENT(document, "certificate")
     statement, claim = found["statement"], CLAIMS[found["statement"]["claim"]]
-    evidence = record(claim.EVIDENCE)(found["evidence"], "evidence")
+    evidence = claim.evidence_of(statement)(found["evidence"], "evidence")
 
     if binary is None:
         block = BinaryReader(curve_block(found["curve"]))

@@ -75,15 +75,18 @@ def read_chain(reader):
         degree = reader.count("degree", 1, MAX_DEGREE)
         count = reader.count("number of points", degree + 1, MAX_COUNT)
         knots = reader.vector(count + degree + 1, "knots")[1]
-        pieces = bspline_pieces(degree, knots, *control_points(count))
+        source = Source(degree, knots, [control_points(count)])
         check_knots(degree, knots, count)
+        pieces = source.pieces(source.lists)
     else:
-        pieces = [control_points(reader.count("degree", 1, MAX_DEGREE) + 1)
-                  for _ in range(reader.count("number of pieces", 1, MAX_COUNT))]
+        source = Source(None, None, [control_points(reader.count("degree", 1, MAX_DEGREE) + 1)
+                                     for _ in range(reader.count("number of pieces", 1, MAX_COUNT))])
+        pieces = source.lists
         for i, ((before, _), (after, _)) in enumerate(zip(pieces, pieces[1:]), 1):
             meets = not any(difference(before[-1], after[0]))
             expect(meets, f"curve: piece {i}", "to begin where the one before ends", after[0])
-    return Chain(dimension, [Arc(reduced(points), reduced(derivative(points, scale))) for points, scale in pieces])
+    arcs = [Arc(reduced(points), reduced(derivative(points, scale))) for points, scale in pieces]
+    return Chain(dimension, arcs, source)
 
 
 def check_knots(degree, knots, count):
@@ -210,11 +213,33 @@ class Arc(NamedTuple):
         return d
 
 
-class Chain:
-    """The pieces, whether the curve is closed, and its joints."""
+class Source(NamedTuple):
+    """The curve as it is given: the control points of a B-spline, or of each Bézier piece, each list with its scale.
 
-    def __init__(self, dimension, pieces):
-        self.dimension, self.pieces, self.size = dimension, pieces, len(pieces)
+    The knots (up to a common factor) and the degree are None for Bézier pieces.
+    """
+
+    degree: int
+    knots: list
+    lists: list
+
+    def pieces(self, lists):
+        """The pieces that these lists in place of the own ones make, each with its scale."""
+        return lists if self.knots is None else bspline_pieces(self.degree, self.knots, *lists[0])
+
+    def lengths(self):
+        """The length of each piece in the curve's own parameter, up to a common factor."""
+        if self.knots is None:
+            return [1] * len(self.lists)
+        used = self.knots[self.degree:len(self.lists[0][0]) + 1]
+        return [b - a for a, b in zip(used, used[1:]) if a < b]
+
+
+class Chain:
+    """The pieces, whether the curve is closed, its joints, and the source it comes from."""
+
+    def __init__(self, dimension, pieces, source):
+        self.dimension, self.pieces, self.size, self.source = dimension, pieces, len(pieces), source
         for i, piece in enumerate(pieces):
             require(piece.tangents(), f"curve: piece {i} is a single point (D vanishes)")
         self.closed = not any(difference(pieces[0].points[0], pieces[-1].points[-1]))

@@ -10,7 +10,7 @@ from functools import cached_property
 
 import msd_upper
 from curve import combination_positive, difference, dot
-from document import Reject, anything, expect, integer, natural, number, require, shown, text, unless
+from document import Reject, anything, expect, integer, natural, number, record, require, shown, text, unless
 
 MAX_WITNESS_BITS = 4_096  # integer of a leaf
 MAX_GRID = 100_000
@@ -25,7 +25,10 @@ def bound(value, where):
 
 STATEMENT = {"convention": text("smooth", "critical"), "lower_squared": unless("inf", bound),
              "upper_squared": unless(None, bound)}
-EVIDENCE = {"grid": natural(0, MAX_GRID), "tree": anything, "upper": anything}
+
+
+def evidence_of(_statement):
+    return record({"grid": natural(0, MAX_GRID), "tree": anything, "upper": anything})
 
 
 def check(chain, statement, evidence, block):

@@ -79,7 +79,7 @@ def tree_block(tree, short=False):
 def binary(certificate, short=False):
     header = copy.deepcopy(certificate)
     header["curve"] = "binary"
-    tree = header["evidence"]["tree"]
+    tree = header["evidence"].get("tree")
     if tree is not None:
         header["evidence"]["tree"] = "binary"
     text = json.dumps(header).encode()

@@ -12,6 +12,8 @@ use crate::number::{Integer, Rational, RationalExt};
 
 /// The most points, cells and rows of a certificate together.
 const MOST_PARTS: usize = 1 << 22;
+/// The most bits in numerator and denominator of a parameter.
+const MOST_PARAMETER_BITS: u64 = 4096;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -169,8 +171,8 @@ pub fn read(statement_text: &str, evidence_text: &str, dimension: usize) -> Pars
         points: raw.points.iter().map(|index| *index as usize).collect(),
         sign: Sign::from_name(&raw.sign.0).ok_or_else(|| unexpected("statement.sign", &raw.sign, "\"+\" or \"-\""))?,
         interval: [
-            rational(&raw.interval[0], "statement.interval[0]")?,
-            rational(&raw.interval[1], "statement.interval[1]")?,
+            parameter(&raw.interval[0], "statement.interval[0]")?,
+            parameter(&raw.interval[1], "statement.interval[1]")?,
         ],
         open: raw.open,
         bounds: Box {
@@ -184,6 +186,16 @@ pub fn read(statement_text: &str, evidence_text: &str, dimension: usize) -> Pars
         statement: Statement { domain, outcome },
         evidence,
     })
+}
+
+/// A parameter, short enough for powers of it.
+fn parameter(text: &Text, place: &str) -> Parsed<Rational> {
+    let value = rational(text, place)?;
+    if value.numer().bits().max(value.denom().bits()) > MOST_PARAMETER_BITS {
+        let what = format!("a parameter of more than {MOST_PARAMETER_BITS} bits");
+        return Err(FormatError::malformed(place, what));
+    }
+    Ok(value)
 }
 
 fn unexpected(place: &str, found: &Text, expected: &str) -> FormatError {
@@ -344,7 +356,7 @@ fn row(raw: &RawRow, place: &str) -> Parsed<Row> {
     Ok(match raw {
         RawRow::Parameter(Object(raw)) => Row::Parameter {
             piece: raw.piece as usize,
-            u: rational(&raw.u, &format!("{place}.u"))?,
+            u: parameter(&raw.u, &format!("{place}.u"))?,
         },
         RawRow::Side(Object(raw)) => Row::Side {
             axis: raw.axis as usize,

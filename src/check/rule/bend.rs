@@ -10,7 +10,8 @@ use std::cmp::Ordering;
 use super::{Outcome, fails, is_zero_pair};
 use crate::check::cover::Context;
 use crate::check::element::{Element, Node};
-use crate::check::tangents::{Tangents, all_combinations};
+use crate::check::hull::bring_together;
+use crate::check::tangents::Tangents;
 use crate::check::word::{Word, dot};
 use crate::number::Integer;
 
@@ -32,22 +33,44 @@ pub fn check<W: Word>(context: &Context, a: &Node, b: Option<&Node>, factors: &[
         None => None,
     };
     let second = tangents_b.as_ref().unwrap_or(&tangents_a);
-    let mut path = tangents_a.of_pieces().chain(second.of_pieces()).peekable();
-    if path.peek().is_none() {
+    // X, which for one node is counted once.
+    let path = [Some(&tangents_a), tangents_b.as_ref()].into_iter().flatten();
+    if path.clone().all(|tangents| tangents.of_pieces().next().is_none()) {
         return Some(fails("a node of positive length", "point elements only".into()));
     }
-    let path: Vec<&[W; 3]> = path.collect();
-    let holds = all_combinations(&tangents_a, second, &alpha, &beta, |y| {
-        for x in &path {
-            if dot(y, x)?.sign() != Ordering::Greater {
-                return Some(false);
+    // (αv+βw)·x > 0 for all v and w if and only if the least α(v·x) and the least β(w·x) have a positive sum.
+    let mut holds = true;
+    'all: for x in path.flat_map(|tangents| tangents.of_pieces().flatten()) {
+        for (vectors_a, scale_a) in tangents_a.groups() {
+            for (vectors_b, scale_b) in second.groups() {
+                // v/(c·s) and w/(c·t): αv·t + βw·s is a positive multiple of the combination.
+                let (s, t, _) = bring_together::<W>(scale_a, scale_b)?;
+                let least_a = least(vectors_a, x, &alpha.times(&t)?)?;
+                let least_b = least(vectors_b, x, &beta.times(&s)?)?;
+                if let (Some(of_a), Some(of_b)) = (least_a, least_b)
+                    && of_a.plus(&of_b)?.sign() != Ordering::Greater
+                {
+                    holds = false;
+                    break 'all;
+                }
             }
         }
-        Some(true)
-    })?;
+    }
     Some(if holds {
         Ok(())
     } else {
         fails("(αv+βw)·x > 0 throughout", "a product that is not positive".into())
     })
+}
+
+/// The least of α(v·x) over all v, `None` if there is none; the outer `None` is an overflow.
+fn least<W: Word>(vectors: &[[W; 3]], x: &[W; 3], alpha: &W) -> Option<Option<W>> {
+    let mut least: Option<W> = None;
+    for v in vectors {
+        let product = dot(v, x)?.times(alpha)?;
+        if least.as_ref().is_none_or(|least| product < *least) {
+            least = Some(product);
+        }
+    }
+    Some(least)
 }

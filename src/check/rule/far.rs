@@ -65,8 +65,23 @@ fn reaches<W: Word>(g: &W, w: &W, v: &W, common: &Integer, norm: &W, lower_squar
             .times(&W::from_integer(lower_squared.numer())?)?;
         Some(left >= right)
     }
-    compare::<W, i128>(g, w, v, common, norm, lower_squared)
+    small(g, w, v, common, norm, lower_squared)
+        .or_else(|| compare::<W, i128>(g, w, v, common, norm, lower_squared))
         .or_else(|| compare::<W, I256>(g, w, v, common, norm, lower_squared))
         .or_else(|| compare::<W, Integer>(g, w, v, common, norm, lower_squared))
         .expect("unbounded integers do not overflow")
+}
+
+/// The same where g, the unit and the norm fit in 64 bits, as they mostly do, and the products in 128; g and all the others are positive.
+#[inline]
+fn small<W: Word>(g: &W, w: &W, v: &W, common: &Integer, norm: &W, lower_squared: &Rational) -> Option<bool> {
+    let short = |x: &W| u64::try_from(x.to_i128()?).ok();
+    let (numerator, denominator) = (lower_squared.numer().to_u64()?, lower_squared.denom().to_u64()?);
+    let unit = short(w)?.checked_mul(short(v)?)?.checked_mul(common.to_u64()?)?;
+    let square = |x: u64| u128::from(x) * u128::from(x);
+    let left = square(short(g)?).checked_mul(denominator.into())?;
+    let right = square(unit)
+        .checked_mul(short(norm)?.into())?
+        .checked_mul(numerator.into())?;
+    Some(left >= right)
 }

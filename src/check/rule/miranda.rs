@@ -70,14 +70,20 @@ pub fn check<W: Word>(chain: &Chain, witness: &Witness, upper_squared: &Rational
         }
     }
     let faces = [
-        (&pieces_s, &pieces_t, witness.first, false),
-        (&pieces_t, &pieces_s, witness.second, true),
+        (&pieces_s, (&pieces_t, &whole_t), witness.first, false),
+        (&pieces_t, (&pieces_s, &whole_s), witness.second, true),
     ];
-    for (across, along, factors, swapped) in faces {
-        let parts = restricted::<W>(chain, along, witness.subdivisions)?;
+    for (across, (along, whole), factors, swapped) in faces {
+        let subdivided;
+        let parts = if witness.subdivisions == 1 {
+            whole
+        } else {
+            subdivided = restricted::<W>(chain, along, witness.subdivisions)?;
+            &subdivided
+        };
         for end in [false, true] {
             let here = point::<W>(chain, &end_of(across, end))?;
-            for part in &parts {
+            for part in parts {
                 if !face(&here, part, factors, swapped, end)? {
                     let which = if swapped { "t" } else { "s" };
                     return Some(fails(

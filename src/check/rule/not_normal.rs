@@ -10,7 +10,7 @@ use super::{Outcome, fails, is_zero_pair};
 use crate::check::cover::Context;
 use crate::check::element::{Element, Node};
 use crate::check::hull::{Gap, Hull};
-use crate::check::tangents::{Tangents, all_combinations};
+use crate::check::tangents::{Tangents, all_combinations, all_multiples};
 use crate::check::word::Word;
 use crate::number::Integer;
 
@@ -31,8 +31,16 @@ pub fn check<W: Word>(context: &Context, a: &Node, b: &Node, factors: &[Integer;
     }
     let (hull_a, hull_b) = (Hull::new(context, a)?, Hull::new(context, b)?);
     let gap = Gap::new(&hull_a, &hull_b)?;
-    let (tangents_a, tangents_b) = (Tangents::<W>::new(context, a)?, Tangents::new(context, b)?);
-    let holds = all_combinations(&tangents_a, &tangents_b, &alpha, &beta, |y| gap.positive(y))?;
+    let positive = |y: &[W; 3]| gap.positive(y);
+    // A side whose factor is 0 is not looked at: it has a tangent, and any one stands for all.
+    let holds = if beta.vanishes() {
+        all_multiples(&Tangents::new(context, a)?, &alpha, positive)
+    } else if alpha.vanishes() {
+        all_multiples(&Tangents::new(context, b)?, &beta, positive)
+    } else {
+        let (tangents_a, tangents_b) = (Tangents::new(context, a)?, Tangents::new(context, b)?);
+        all_combinations(&tangents_a, &tangents_b, &alpha, &beta, positive)
+    }?;
     Some(if holds {
         Ok(())
     } else {

@@ -31,7 +31,13 @@ pub enum Found {
 /// A row of the program: row − slack·weight ≥ 0.
 fn program_row(context: &Context, row: &Row) -> Option<(linear_program::Row, Rational)> {
     let exact = context.row(row)?;
-    let weight = exact.affine.linear.iter().map(Integer::abs).max().filter(|weight| !weight.is_zero());
+    let weight = exact
+        .affine
+        .linear
+        .iter()
+        .map(Integer::abs)
+        .max()
+        .filter(|weight| !weight.is_zero());
     // A row that does not depend on x is decided by its constant, whatever the weight.
     let weight = weight.unwrap_or_else(|| exact.affine.constant.abs().max(Integer::ONE));
     let mut normal = exact.affine.linear;
@@ -131,7 +137,11 @@ fn violated(context: &Context, point: &[Rational]) -> Result<Vec<Rational>, Opti
 fn lowest(section: &crate::check::domain::sign::Section, point: &RationalVector) -> Option<Rational> {
     const SAMPLES: u64 = 64;
     let coefficients = section.at(point.numerators(), point.denominator());
-    let greatest = coefficients.iter().map(Integer::abs).max().filter(|greatest| !greatest.is_zero())?;
+    let greatest = coefficients
+        .iter()
+        .map(Integer::abs)
+        .max()
+        .filter(|greatest| !greatest.is_zero())?;
     let floats: Vec<f64> = coefficients
         .iter()
         .map(|c| Rational::new(c.clone(), greatest.clone()).to_f64())

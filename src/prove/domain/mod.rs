@@ -10,15 +10,15 @@ pub mod sandwich;
 use std::borrow::Cow;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 
+use super::linear_program::FloatSolver;
 use crate::certificate::{Document, Encoding, write};
 use crate::check::domain::Context;
 use crate::check::{Verdict, check};
 use crate::claim::domain::{Content, Outcome, Statement};
 use crate::curve::Curve;
 use crate::number::{Rational, RationalExt};
-pub use problem::{Bounds, Problem, Question, QuestionError};
-use super::linear_program::FloatSolver;
 use feasible::Found;
+pub use problem::{Bounds, Problem, Question, QuestionError};
 use sandwich::{Round, Search};
 
 /// What certifying needs to know.

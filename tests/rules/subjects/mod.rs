@@ -1,17 +1,23 @@
 //! Cases by subject: one file for each rule, and for the parts of a certificate that belong to no rule.
 
+pub mod ball;
 pub mod bend;
 pub mod binary;
+pub mod change;
 pub mod cone;
 pub mod critical_interval;
 pub mod critical_root;
 pub mod crossing;
 pub mod curve;
+pub mod domain;
+pub mod empty;
 pub mod far;
 pub mod miranda;
+pub mod nearest;
 pub mod not_normal;
 pub mod numbers;
 pub mod root;
+pub mod sandwich;
 pub mod statement;
 pub mod text;
 pub mod touch;
@@ -42,6 +48,12 @@ pub fn all() -> Vec<(&'static str, fn() -> Vec<Case>)> {
         ("text", text::cases),
         ("binary", binary::cases),
         ("numbers", numbers::cases),
+        ("domain", domain::cases),
+        ("sandwich", sandwich::cases),
+        ("empty", empty::cases),
+        ("nearest", nearest::cases),
+        ("change", change::cases),
+        ("ball", ball::cases),
     ]
 }
 
