@@ -4,6 +4,7 @@ mod feasible;
 pub mod levels;
 mod parts;
 pub mod problem;
+pub mod questions;
 pub mod sandwich;
 
 use std::borrow::Cow;

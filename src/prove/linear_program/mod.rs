@@ -4,11 +4,11 @@
 //! is decided by exact arithmetic alone, and so is that the method ends: after a run of steps without progress it follows Bland's rule (1977).
 
 mod float;
-mod linear_system;
+pub(crate) mod linear_system;
 mod simplex;
 #[cfg(test)]
 mod tests;
-mod verify;
+pub(crate) mod verify;
 
 use std::fmt;
 
