@@ -1,0 +1,281 @@
+//! `knotproof certify domain`: the convex domain of a control point.
+
+mod levels;
+mod report;
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use knotproof::certificate::{Document, Encoding};
+use knotproof::claim::domain::{Box as Corners, Content, Sign};
+use knotproof::curve::CurveFile;
+use knotproof::number::{Meaning, Rational, parse_number};
+use knotproof::prove::domain::questions::{About, AnswerError, answer, usual_width};
+use knotproof::prove::domain::{
+    Bounds, Certified, CertifyError, Options, Problem, Question, Status, certify, write_checked,
+};
+use knotproof::prove::linear_program::GoodLp;
+use report::Report;
+use tempfile::SpooledTempFile;
+
+use super::output_file::{Format, Target, encoding};
+use super::report::Written;
+use crate::cli::failure::Failure;
+use crate::cli::input::Input;
+use crate::cli::output::{say, say_json};
+use crate::cli::{Exit, Printing};
+
+/// Levels of the paper's algorithm at most.
+const MOST_LEVELS: u32 = 24;
+/// Where a control point may be so that curvature (in the plane) or torsion (in space) keeps its sign
+///
+/// The output is a polytope inside the convex domain K and one around it, both cut off by a box, and the certified relative error between them. With
+/// --degree or --level the algorithm of Ginnis, Karousos and Kaklis (2009) runs instead, level by level, and no certificate is made.
+#[derive(Args)]
+pub struct Arguments {
+    /// The curve, a file of version curve/1; "-" is standard input.
+    curve: Input,
+    /// The free control point, from 0; of Bézier pieces each joint counts once.
+    #[arg(long, value_name = "INDEX")]
+    point: usize,
+    /// The box is a square or cube of this edge length centred at the point.
+    #[arg(long = "box", value_name = "EDGE", required_unless_present = "box_from", allow_hyphen_values = true, value_parser = number)]
+    edge: Option<Rational>,
+    /// The least coordinates of the box, separated by commas.
+    #[arg(long, value_name = "X,Y[,Z]", requires = "box_to", conflicts_with = "edge", allow_hyphen_values = true, value_parser = coordinates)]
+    box_from: Option<Coordinates>,
+    /// The greatest coordinates of the box.
+    #[arg(long, value_name = "X,Y[,Z]", requires = "box_from", allow_hyphen_values = true, value_parser = coordinates)]
+    box_to: Option<Coordinates>,
+    /// The sign that curvature or torsion is to have [default: the one it has]
+    #[arg(long, value_enum, allow_hyphen_values = true)]
+    sign: Option<SignName>,
+    /// Only a part of the curve, in its own parameter (knots; piece numbers of Bézier pieces).
+    #[arg(long, value_names = ["A", "B"], num_args = 2, allow_hyphen_values = true, value_parser = number)]
+    interval: Option<Vec<Rational>>,
+    /// How large measure(outer \ inner)/measure(inner) may be; of the levels, measure(next \ last)/measure(last).
+    ///
+    /// Of a question, how far apart its bounds may be, relative to the upper one [default: 1e-6; of a question 1e-9]
+    #[arg(long, value_name = "TOL", allow_hyphen_values = true, value_parser = tolerance)]
+    tol: Option<Rational>,
+    /// Which position in the domain and the box is nearest to this point?
+    #[arg(long, value_name = "X,Y[,Z]", group = "question", conflicts_with_all = ["degree", "level"], allow_hyphen_values = true, value_parser = coordinates)]
+    nearest: Option<Coordinates>,
+    /// Which position in the domain and the box makes the integral of |c''|² least?
+    #[arg(long, group = "question", conflicts_with_all = ["degree", "level"])]
+    fair: bool,
+    /// What is the shortest move of the point that changes the sign?
+    #[arg(long, group = "question", conflicts_with_all = ["degree", "level"])]
+    change: bool,
+    /// What is the largest ball (in the plane, disc) in the domain and the box?
+    #[arg(long, group = "question", conflicts_with_all = ["degree", "level"])]
+    ball: bool,
+    /// The paper's algorithm, the sign function written in this degree.
+    #[arg(long, value_enum)]
+    degree: Option<DegreeName>,
+    /// The paper's algorithm up to this level, whatever the tolerance.
+    #[arg(long, value_name = "LEVEL", value_parser = clap::value_parser!(u32).range(0..=i64::from(MOST_LEVELS)))]
+    level: Option<u32>,
+    /// Print areas and volumes of the levels as exact fractions too.
+    #[arg(long)]
+    exact_measure: bool,
+    /// How many inequalities the outer polytope may have at most.
+    #[arg(long, value_name = "ROWS", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..))]
+    budget: u32,
+    /// Write the certificate to this file. It is there only when whole, and accepted by the checker.
+    #[arg(long, short, value_name = "CERT", conflicts_with_all = ["degree", "level"])]
+    output: Option<PathBuf>,
+    /// The form of the certificate [default: binary when the name of CERT ends in ".bin", else json]
+    #[arg(long, value_enum, requires = "output")]
+    format: Option<Format>,
+    /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
+    #[arg(long)]
+    snap_joints: bool,
+    #[command(flatten)]
+    printing: Printing,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum SignName {
+    /// Greater than 0
+    #[value(name = "+", alias = "plus")]
+    Plus,
+    /// Less than 0
+    #[value(name = "-", alias = "minus")]
+    Minus,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum DegreeName {
+    /// Its own degree, d(n−d)
+    True,
+    /// The degree of the paper's products, 2n−3 or 3n−6
+    Paper,
+}
+
+/// Coordinates, as one argument.
+#[derive(Clone)]
+struct Coordinates(Vec<Rational>);
+
+fn number(text: &str) -> Result<Rational, String> {
+    parse_number(text, Meaning::Decimal).map_err(|error| error.to_string())
+}
+
+fn coordinates(text: &str) -> Result<Coordinates, String> {
+    text.split(',').map(number).collect::<Result<_, _>>().map(Coordinates)
+}
+
+fn tolerance(text: &str) -> Result<Rational, String> {
+    let value = number(text)?;
+    if value <= Rational::from_integer(0.into()) {
+        return Err("expected a tolerance greater than 0".into());
+    }
+    Ok(value)
+}
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    let target = Target::new(arguments.output.as_deref(), &arguments.curve)?;
+    let file = arguments.curve.read_curve(arguments.snap_joints)?;
+    let problem = arguments.problem(&file)?;
+    if arguments.degree.is_some() || arguments.level.is_some() {
+        return match file.curve.dimension() {
+            2 => arguments.levels::<2>(&file, &problem),
+            _ => arguments.levels::<3>(&file, &problem),
+        };
+    }
+    let about = arguments.about();
+    let options = Options {
+        tolerance: arguments.tolerance(about.is_some()),
+        budget: arguments.budget as usize,
+        name: file.name.clone(),
+        snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
+        solver: &GoodLp,
+    };
+    let start = Instant::now();
+    let found = match &about {
+        None => certify(&file.curve, &problem, &options),
+        Some(about) => arguments.answer(&file, &problem, about, &options)?,
+    };
+    let written = match &found.document {
+        None => None,
+        Some(document) => write(document, target.as_ref(), arguments.format)?,
+    };
+    let report = Report {
+        problem: &problem,
+        document: found.document.as_ref(),
+        status: &found.status,
+        rounds: &found.rounds,
+        written,
+        seconds: start.elapsed().as_secs_f64(),
+    };
+    if arguments.printing.json {
+        say_json(&report.for_programs())?;
+    } else if !arguments.printing.quiet {
+        say(&report.for_people())?;
+    }
+    Ok(match found.status {
+        Status::Certified => Exit::Success,
+        Status::Undecided(_) => Exit::Undecided,
+    })
+}
+
+/// Writes the certificate, or lets the checker replay it all the same when no file is asked for.
+fn write(
+    document: &Document<Content>,
+    target: Option<&Target>,
+    format: Option<Format>,
+) -> Result<Option<Written>, Failure> {
+    match target {
+        Some(target) => {
+            let encoding = encoding(format, target.path());
+            let write = |file: &mut _| write_checked(document, encoding, file).map_err(|error| failure(&error));
+            target.write(write).map(Some)
+        }
+        None => {
+            let mut nowhere = SpooledTempFile::new(1 << 26);
+            write_checked(document, Encoding::Json, &mut nowhere).map_err(|error| failure(&error))?;
+            Ok(None)
+        }
+    }
+}
+
+fn failure(error: &CertifyError) -> Failure {
+    match error {
+        CertifyError::Io(error) => Failure::io("the certificate", "cannot be written", error),
+        CertifyError::Refuted(_) => Failure::new(format!("{error}; this is an error of knotproof, please report it")),
+    }
+}
+
+impl Arguments {
+    fn tolerance(&self, question: bool) -> Rational {
+        match &self.tol {
+            Some(tolerance) => tolerance.clone(),
+            None if question => usual_width(),
+            None => Rational::new(1.into(), 1_000_000.into()),
+        }
+    }
+
+    /// The question about the domain, if there is one.
+    fn about(&self) -> Option<About> {
+        match &self.nearest {
+            Some(point) => Some(About::Nearest(point.0.clone())),
+            None if self.fair => Some(About::Fair),
+            None if self.change => Some(About::Change),
+            None if self.ball => Some(About::Ball),
+            None => None,
+        }
+    }
+
+    /// The answer to a question, which can be that the domain is empty.
+    fn answer<'c>(
+        &self,
+        file: &'c CurveFile,
+        problem: &Problem,
+        about: &About,
+        options: &Options,
+    ) -> Result<Certified<'c>, Failure> {
+        match answer(&file.curve, problem, about, options) {
+            Ok(found) => Ok(Certified {
+                document: Some(found.document),
+                status: found.status,
+                rounds: Vec::new(),
+            }),
+            Err(AnswerError::Empty(_)) => Ok(certify(&file.curve, problem, options)),
+            Err(error @ (AnswerError::NoPoint | AnswerError::Unsolved(_))) => Ok(Certified {
+                document: None,
+                status: Status::Undecided(error.to_string()),
+                rounds: Vec::new(),
+            }),
+            Err(error @ AnswerError::Refuted(_)) => Err(Failure::new(format!(
+                "{error}; this is an error of knotproof, please report it"
+            ))),
+            Err(error) => Err(Failure::at(&self.curve, error)),
+        }
+    }
+
+    fn problem(&self, file: &CurveFile) -> Result<Problem, Failure> {
+        let bounds = match (&self.edge, &self.box_from, &self.box_to) {
+            (Some(edge), _, _) => Bounds::Edge(edge.clone()),
+            (None, Some(low), Some(high)) => Bounds::Corners(Corners {
+                low: low.0.clone(),
+                high: high.0.clone(),
+            }),
+            _ => return Err(Failure::new("expected --box, or --box-from and --box-to")),
+        };
+        let question = Question {
+            point: self.point,
+            sign: self.sign.map(|sign| match sign {
+                SignName::Plus => Sign::Positive,
+                SignName::Minus => Sign::Negative,
+            }),
+            interval: self
+                .interval
+                .as_ref()
+                .and_then(|ends| <[Rational; 2]>::try_from(ends.clone()).ok()),
+            bounds,
+        };
+        Problem::new(&file.curve, &question).map_err(|error| Failure::at(&self.curve, error))
+    }
+}
