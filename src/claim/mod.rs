@@ -1,6 +1,7 @@
 //! Claims: statements and their evidence, as plain data. Nothing here computes.
 
 pub mod domain;
+pub mod embedding;
 pub mod msd;
 pub mod tree;
 
@@ -11,6 +12,8 @@ pub enum Claim {
     Msd(msd::Content),
     /// The convex domain of a control point.
     Domain(domain::Content),
+    /// The curve is embedded.
+    Embedding(embedding::Content),
 }
 
 /// A borrowed [`Claim`].
@@ -20,6 +23,8 @@ pub enum ClaimRef<'a> {
     Msd(&'a msd::Content),
     /// The convex domain of a control point.
     Domain(&'a domain::Content),
+    /// The curve is embedded.
+    Embedding(&'a embedding::Content),
 }
 
 /// The content of a certificate, of one claim or of any.
@@ -33,6 +38,7 @@ impl AsClaim for Claim {
         match self {
             Claim::Msd(content) => ClaimRef::Msd(content),
             Claim::Domain(content) => ClaimRef::Domain(content),
+            Claim::Embedding(content) => ClaimRef::Embedding(content),
         }
     }
 }
@@ -49,12 +55,18 @@ impl AsClaim for domain::Content {
     }
 }
 
+impl AsClaim for embedding::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Embedding(self)
+    }
+}
+
 impl Claim {
     /// The content of the claim `msd`, if it is that.
     pub fn msd(&self) -> Option<&msd::Content> {
         match self {
             Claim::Msd(content) => Some(content),
-            Claim::Domain(_) => None,
+            Claim::Domain(_) | Claim::Embedding(_) => None,
         }
     }
 
@@ -62,7 +74,15 @@ impl Claim {
     pub fn domain(&self) -> Option<&domain::Content> {
         match self {
             Claim::Domain(content) => Some(content),
-            Claim::Msd(_) => None,
+            Claim::Msd(_) | Claim::Embedding(_) => None,
+        }
+    }
+
+    /// The content of the claim `embedding`, if it is that.
+    pub fn embedding(&self) -> Option<&embedding::Content> {
+        match self {
+            Claim::Embedding(content) => Some(content),
+            Claim::Msd(_) | Claim::Domain(_) => None,
         }
     }
 }

@@ -5,6 +5,7 @@ mod bounds;
 mod certify;
 mod check;
 mod domain_words;
+mod embedding_words;
 mod failure;
 mod input;
 mod output;

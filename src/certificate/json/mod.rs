@@ -1,10 +1,12 @@
 //! The JSON form, and the header of the binary form (FORMAT §4, §9).
 
 mod domain;
+mod embedding;
 mod msd;
 mod numbers;
 mod raw;
 mod read;
+mod tree;
 mod write;
 
 pub use read::{read, read_header};

@@ -8,7 +8,7 @@ use super::super::block::{self, hexadecimal};
 use super::super::{Document, FormatError};
 use super::numbers::{Parsed, numbers, points, shortened};
 use super::raw::{InBlock, Object, RawClaim, RawCurve, RawDocument, Text};
-use super::{domain, msd};
+use super::{domain, embedding, msd};
 use crate::claim::Claim;
 use crate::curve::{BSpline, Bezier, Curve, Form, MAXIMUM_PIECES};
 
@@ -87,8 +87,15 @@ impl Header<'_> {
                 let content = domain::read(self.statement, self.evidence, dimension)?;
                 (Claim::Domain(content), Vec::new())
             }
+            "embedding" => {
+                let (content, tokens) = embedding::read(self.statement, self.evidence, self.block)?;
+                (Claim::Embedding(content), tokens)
+            }
             other => {
-                let what = format!("found {:?}, expected \"msd\" or \"domain\"", shortened(other));
+                let what = format!(
+                    "found {:?}, expected \"msd\", \"domain\" or \"embedding\"",
+                    shortened(other)
+                );
                 return Err(FormatError::malformed("statement.claim", what));
             }
         };

@@ -2,6 +2,7 @@
 
 mod atomic_file;
 mod domain;
+mod embedding;
 mod msd;
 mod output_file;
 mod progress;
@@ -23,6 +24,7 @@ pub struct Arguments {
 enum Claim {
     Msd(Box<msd::Arguments>),
     Domain(Box<domain::Arguments>),
+    Embedding(Box<embedding::Arguments>),
 }
 
 /// Runs the subcommand.
@@ -30,5 +32,6 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     match arguments.claim {
         Claim::Msd(arguments) => msd::run(*arguments),
         Claim::Domain(arguments) => domain::run(&arguments),
+        Claim::Embedding(arguments) => embedding::run(*arguments),
     }
 }
