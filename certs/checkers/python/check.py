@@ -13,11 +13,12 @@ import re
 import sys
 
 import domain
+import embedding
 import msd
 from curve import curve_block, read_chain
 from document import BinaryReader, Reject, anything, expect, natural, parse_json, record, text, variant
 
-CLAIMS = {"msd": msd, "domain": domain}  # modules with STATEMENT, evidence_of, check and sentence
+CLAIMS = {"msd": msd, "domain": domain, "embedding": embedding}  # modules with STATEMENT, evidence_of, check and sentence
 MAX_HEADER = 16_777_216
 MAX_JSON_BYTES = (1 << 30) - 1
 MAGIC = b"KNOTCRT1"

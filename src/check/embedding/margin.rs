@@ -53,9 +53,9 @@ fn size(mut terms: Vec<(usize, Integer)>) -> Integer {
     let mut rest = terms.into_iter().peekable();
     while let Some((number, mut coefficient)) = rest.next() {
         while let Some((_, more)) = rest.next_if(|(other, _)| *other == number) {
-            coefficient = coefficient + more;
+            coefficient += more;
         }
-        sum = sum + coefficient.abs();
+        sum += coefficient.abs();
     }
     sum
 }
