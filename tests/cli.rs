@@ -8,6 +8,9 @@ mod atomic;
 mod certify;
 #[path = "cli/check.rs"]
 mod check;
+#[cfg(feature = "prove")]
+#[path = "cli/embedding.rs"]
+mod embedding;
 #[path = "cli/help.rs"]
 mod help;
 #[path = "cli/run.rs"]

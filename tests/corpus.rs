@@ -131,6 +131,7 @@ mod proved {
     use knotproof::claim::msd::{Convention, Lower};
     use knotproof::curve::{Bezier, Curve, Form, read_curve};
     use knotproof::number::{Integer, Rational, RationalVector};
+    use knotproof::prove::embedding;
     use knotproof::prove::msd::{Certified, Options, certify};
 
     use super::chains;
@@ -177,6 +178,26 @@ mod proved {
         Curve::new(3, Form::Bezier(pieces.collect())).expect("a curve")
     }
 
+    /// The example curves that are embedded.
+    fn write_embeddings() {
+        for path in super::files(&certs().join("curves")) {
+            let name = path.file_stem().and_then(|stem| stem.to_str()).expect("a name");
+            let file = read_curve(std::fs::read(&path).expect("a file")).expect("a curve");
+            let options = embedding::Options {
+                budget: Some(1500),
+                name: file.name.clone(),
+                snapped_joints: None,
+            };
+            let found = embedding::certify(&file.curve, &options, &|_| ()).expect("certifies");
+            if let embedding::Outcome::Embedded(mut certified) = found {
+                let mut file = Cursor::new(Vec::new());
+                certified.write_checked(Encoding::Json, &mut file).expect(name);
+                let path = certs().join(format!("accept/proved/{name}-embedding.json"));
+                std::fs::write(path, file.into_inner()).expect("writes");
+            }
+        }
+    }
+
     /// The certificates of the example curves.
     pub fn write_all() {
         for path in super::files(&certs().join("curves")) {
@@ -209,6 +230,7 @@ mod proved {
             let mut found = certified(&curve, name, Convention::Smooth, 12, 20_000);
             write(&mut found, Encoding::Binary, name);
         }
+        write_embeddings();
         let mp06 = curve("mp06-figure-1.json");
         let mut narrow = certified(&mp06, "mp06-figure-1, 30 digits", Convention::Smooth, 30, 20_000);
         write(&mut narrow, Encoding::Json, "mp06-figure-1-30-digits");

@@ -17,7 +17,9 @@ use common::python;
 use knotproof::certificate::Document;
 use knotproof::check::{Verdict, check};
 use knotproof::claim::msd::{Convention, Lower, Statement};
-use knotproof::number::Rational;
+use knotproof::curve::{Bezier, Curve, Form};
+use knotproof::number::{Rational, RationalVector};
+use knotproof::prove::embedding;
 use knotproof::prove::msd::{Options, certify};
 use truth::{Enclosure, is_true, recomputed, zero};
 use values::{other_values, pointers};
@@ -243,6 +245,80 @@ fn proved(curve: &str, convention: Convention, digits: u32) -> Certificate {
         .write(knotproof::certificate::Encoding::Json, &mut bytes)
         .expect("writes to memory");
     Certificate::of_bytes(&bytes)
+}
+
+/// The truth about the embedding, by searching anew: the curve is embedded, and so it is after moves of all coordinates by nearly the radius, up
+/// or down by chance.
+fn is_embedded(document: &Document) -> bool {
+    let Some(content) = document.claim.embedding() else {
+        return false;
+    };
+    let radius = &content.statement.perturbation_radius;
+    let Form::Bezier(pieces) = document.curve.form() else {
+        panic!("these certificates are about Bézier pieces")
+    };
+    let proved = |curve: &Curve| {
+        let found = embedding::certify(curve, &embedding::Options::default(), &|_| ());
+        matches!(found, Ok(embedding::Outcome::Embedded(_)))
+    };
+    let dimension = document.curve.dimension();
+    let moves = |seed: u64| {
+        let mut state = seed;
+        let mut vertex = || -> Vec<Rational> {
+            let mut coordinate = || {
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1_442_695_040_888_963_407);
+                let sign = if state >> 63 == 0 { 1 } else { -1 };
+                Rational::new((999 * sign).into(), 1000.into())
+            };
+            let step = (0..dimension).map(|_| coordinate());
+            step.collect()
+        };
+        let first = vertex();
+        let mut last = first.clone();
+        let count = pieces.len();
+        let moved = pieces.iter().enumerate().map(|(i, piece)| {
+            let mut steps = vec![last.clone()];
+            steps.extend((0..piece.degree()).map(|_| vertex()));
+            if i + 1 == count && document.curve.is_closed() {
+                *steps.last_mut().expect("a point") = first.clone();
+            }
+            last = steps.last().expect("a point").clone();
+            let coordinates = piece.points().iter().zip(steps.iter().flatten());
+            let coordinates: Vec<Rational> = coordinates.map(|(x, step)| x + step * &radius.infinity).collect();
+            Bezier::new(
+                dimension,
+                RationalVector::from_rationals(&coordinates),
+                piece.weights().cloned(),
+            )
+        });
+        let moved: Vec<Bezier> = moved.collect::<Result<_, _>>().expect("pieces");
+        Curve::new(dimension, Form::Bezier(moved)).expect("a curve")
+    };
+    let nothing = Rational::from_integer(0.into());
+    proved(&document.curve) && (radius.infinity == nothing || (1..=4).all(|seed| proved(&moves(seed))))
+}
+
+#[test]
+fn embeddings() {
+    for (subject, name) in [
+        ("embedding", "channel"),
+        ("embedding", "square"),
+        ("monotone", "rational"),
+        ("monotone", "sharp-corner"),
+        ("separate", "arch"),
+        ("separate", "runs-by-their-control-points"),
+    ] {
+        let certificate = hand_made(subject, name);
+        let mut tally = Tally::new(name, &certificate.json(), Box::new(is_embedded));
+        mutate_json(&mut tally, &certificate);
+        tally.agree(10);
+    }
+    let channel = hand_made("embedding", "channel").binary();
+    let mut tally = Tally::new("bytes of the channel", &channel, Box::new(is_embedded));
+    mutate_bytes(&mut tally, &channel);
+    tally.agree(10);
 }
 
 #[test]
