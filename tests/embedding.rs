@@ -42,7 +42,7 @@ fn bytes(certified: &mut Certified, encoding: Encoding) -> Vec<u8> {
 
 fn embedded<'c>(curve: &'c Curve, name: &str) -> Certified<'c> {
     match outcome(curve, None) {
-        Outcome::Embedded(certified) => certified,
+        Outcome::Embedded(certified) => *certified,
         Outcome::MeetsItself(_) => panic!("{name} meets itself"),
         Outcome::Undecided(why) => panic!("{name}: {why}"),
     }

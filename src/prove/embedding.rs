@@ -71,9 +71,9 @@ impl Certified<'_> {
 /// What became of a search.
 pub enum Outcome<'c> {
     /// The curve is embedded.
-    Embedded(Certified<'c>),
+    Embedded(Box<Certified<'c>>),
     /// The curve meets itself: a certificate of the claim `msd` that σ is 0.
-    MeetsItself(msd::Certified<'c>),
+    MeetsItself(Box<msd::Certified<'c>>),
     /// Neither was proved, for this reason.
     Undecided(String),
 }
@@ -124,7 +124,7 @@ pub fn certify<'c>(curve: &'c Curve, options: &Options, progress: &dyn Fn(f64)) 
             return Ok(match found {
                 Some(upper) => {
                     let (name, snapped) = (options.name.clone(), options.snapped_joints);
-                    Outcome::MeetsItself(msd::meets_itself(curve, name, snapped, upper))
+                    Outcome::MeetsItself(Box::new(msd::meets_itself(curve, name, snapped, upper)))
                 }
                 None => Outcome::Undecided(describe(curve, &stuck)),
             });
@@ -149,11 +149,11 @@ pub fn certify<'c>(curve: &'c Curve, options: &Options, progress: &dyn Fn(f64)) 
             evidence: Evidence { grid },
         },
     };
-    Ok(Outcome::Embedded(Certified {
+    Ok(Outcome::Embedded(Box::new(Certified {
         document,
         leaves: measured.leaves,
         tree,
-    }))
+    })))
 }
 
 /// A reader of whose bytes none are offered ahead.
@@ -201,7 +201,12 @@ fn describe(curve: &Curve, stuck: &Stuck) -> String {
             .map_or(f64::NAN, |knot| knot.to_f64());
         format!("parameter {knot:.12} (piece {piece} at {u:.12})")
     };
-    if stuck.adjacent {
+    // Next to a corner of 180° the parts on both sides that are not neighbours are the first to be stuck.
+    let count = curve.chain().count() as f64;
+    let between = (stuck.t.0 as f64 + stuck.t.1) - (stuck.s.0 as f64 + stuck.s.1);
+    let between = between.abs();
+    let around = curve.is_closed() && count - between < 1e-6;
+    if stuck.adjacent || between < 1e-6 || around {
         let place = at(stuck.s);
         format!("the derivative vanishes or the curve turns back at about {place}")
     } else {

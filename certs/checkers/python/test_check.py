@@ -60,18 +60,21 @@ def curve_block(curve):
     return out + b"".join(leb(len(p["points"]) - 1) + tail(p) for p in pieces)
 
 
+RULES = ["split", "first", "second", "far", "not_normal", "cone", "bend", "separate", "monotone"]
+
+
 def tree_block(tree, short=False):
     out = bytearray()
     for token in tree:
         rule, *words = token.split()
         n = [int(w) for w in words]
-        if short and rule == "far" and sorted(map(abs, n)) == [0] * (len(n) - 1) + [1]:
+        if short and rule in ("far", "separate") and sorted(map(abs, n)) == [0] * (len(n) - 1) + [1]:
             axis = [abs(x) for x in n].index(1)
-            out.append(0x10 + 2 * axis + (n[axis] < 0))
+            out.append((0x10 if rule == "far" else 0x30) + 2 * axis + (n[axis] < 0))
         elif short and rule == "not_normal" and sorted(map(abs, n)) == [0, 1]:
             out.append({(1, 0): 0x20, (-1, 0): 0x21, (0, 1): 0x22, (0, -1): 0x23}[tuple(n)])
         else:
-            out.append(["split", "first", "second", "far", "not_normal", "cone", "bend"].index(rule))
+            out.append(RULES.index(rule))
             out += b"".join(map(zigzag, n))
     return bytes(out)
 
@@ -645,7 +648,7 @@ class Strictness(Checks):
         self.reject(good[:block + 2] + b"\x80" * 40 + b"\1" + good[block + 3:], "at most 64 bits")
         self.reject(good[:block + 4] + b"\0" + good[block + 5:], "least common")
         self.reject(good[:block + 4] + b"\2\0\0\4\0" + good[block + 9:], "least common")
-        for code in (0x07, 0x0f, 0x14, 0x15, 0x24, 0xff):
+        for code in (0x09, 0x0f, 0x14, 0x15, 0x24, 0x34, 0xff):
             self.reject(good[:-3] + bytes([code]), "unknown token")
 
     def test_short_codes_in_space(self):

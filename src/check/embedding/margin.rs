@@ -4,18 +4,22 @@
 //! Σ|m_j| · max|n·δ_j|, and |n·δ_j| is at most |n|₁ times the greatest coordinate of δ_j, and at most |n| times its length. So the
 //! inequality stays true as long as max‖δ_j‖ < f(P)/(Σ|m_j|·‖n‖) with the dual norm of n: |n|₁ or |n|.
 
+use super::quick;
 use super::rows::{Own, Rows, Table, weight};
 use crate::check::chain::Chain;
+use crate::check::cover::Context;
 use crate::check::element::Node;
 use crate::claim::tree::Leaf;
 use crate::curve::Curve;
-use crate::number::{Integer, Rational};
+use crate::number::{Integer, Rational, sqrt_enclosure};
 
 /// The least margins of the leaves seen.
 pub struct Margins<'c> {
     table: Table<'c>,
     infinity: Option<Rational>,
     euclidean_squared: Option<Rational>,
+    /// At least both radii so far, in few bits: a leaf with a margin of this times |n|₁ changes neither.
+    enough: Option<Rational>,
 }
 
 /// A fraction that is not reduced; the denominator is positive.
@@ -32,6 +36,19 @@ impl Fraction {
     fn value(self) -> Rational {
         Rational::new(self.numerator, self.denominator)
     }
+}
+
+/// A fraction of few bits that is at least √x, and not far above; nothing for 0.
+fn short_root_above(x: &Rational) -> Option<Rational> {
+    if x.numer().is_zero() {
+        return None;
+    }
+    let root = sqrt_enclosure(x, 24).1;
+    // ⌈root·2^shift⌉/2^shift with 12 to 14 bits in the numerator.
+    let shift = 13 + root.denom().bits() as i64 - root.numer().bits() as i64;
+    let (up, down) = (shift.max(0) as u32, (-shift).max(0) as u32);
+    let mantissa = (root.numer() << up).div_ceil(&(root.denom() << down));
+    Some(Rational::new(mantissa << down, Integer::ONE << up))
 }
 
 /// The lesser of two, if there is one already.
@@ -87,6 +104,7 @@ impl<'c> Margins<'c> {
             table: Table::new(curve, chain),
             infinity: None,
             euclidean_squared: None,
+            enough: None,
         }
     }
 
@@ -99,7 +117,12 @@ impl<'c> Margins<'c> {
     }
 
     /// Takes account of a leaf whose obligation holds.
-    pub fn include(&mut self, a: &Node, b: Option<&Node>, leaf: &Leaf) {
+    pub fn include(&mut self, context: &Context, a: &Node, b: Option<&Node>, leaf: &Leaf) {
+        // |n| ≤ |n|₁, so that the Euclidean radius is never below the other.
+        let changes_nothing = |enough| quick::at_least(context, a, b, leaf, enough);
+        if self.enough.as_ref().is_some_and(changes_nothing) {
+            return;
+        }
         let (margin, n) = match (leaf, b) {
             (Leaf::Separate(n), Some(b)) => (self.separate(a, b, n), n),
             (Leaf::Monotone(n), b) => (self.monotone(a, b, n), n),
@@ -116,7 +139,11 @@ impl<'c> Margins<'c> {
             }
         };
         lower(&mut self.infinity, infinity);
+        let before = self.euclidean_squared.clone();
         lower(&mut self.euclidean_squared, euclidean_squared);
+        if self.euclidean_squared != before {
+            self.enough = self.euclidean_squared.as_ref().and_then(short_root_above);
+        }
     }
 
     /// The least f(P)/Σ|m_j| of a leaf `separate`.

@@ -1,6 +1,7 @@
 //! The claim `embedding`: a tree of `separate` and `monotone`, the edges of its polygon, the least margin of its leaves (FORMAT §10).
 
 mod margin;
+mod quick;
 mod rows;
 
 use std::collections::HashSet;
@@ -77,7 +78,7 @@ pub fn measure<S: TokenSource>(curve: &Curve, chain: &Chain, grid: u32, tokens: 
             ends.insert(node.start(chain, &context.elements));
             ends.insert(node.end(chain, &context.elements));
         }
-        margins.include(a, b, leaf);
+        margins.include(&context, a, b, leaf);
         Ok(())
     };
     let leaves = replay(&context, judge, tokens).map_err(|rejection| *rejection)?;

@@ -106,7 +106,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     let mut written = None;
     let (exit, words) = match outcome {
         Outcome::Embedded(mut certified) => {
-            written = keep(&mut certified, &arguments, target)?;
+            written = keep(certified.as_mut(), &arguments, target)?;
             let statement = &certified.document.claim.statement;
             line.status = "certified";
             line.statement = Some(EmbeddingLine::new(statement));
@@ -115,7 +115,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
             (Exit::Success, words)
         }
         Outcome::MeetsItself(mut certified) => {
-            written = keep(&mut certified, &arguments, target)?;
+            written = keep(certified.as_mut(), &arguments, target)?;
             line.status = "refuted";
             let count = Rational::from_integer(file.curve.chain().count().into());
             let knot = |s: &Rational| {
