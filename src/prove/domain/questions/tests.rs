@@ -366,7 +366,7 @@ proptest! {
     #[test]
     fn random_planar_domains((curve, question, target) in questions(2)) {
         if let Some((problem, found)) = answers(&curve, &question, &target) {
-            let rows = sampled_rows(&curve, &problem, 60);
+            let rows = sampled_rows(&curve, &problem, 150);
             let floats: Vec<f64> = target.iter().map(RationalExt::to_f64).collect();
             let [low, high] = found[0];
             // The polygon of the samples is around the domain, and close to it.
