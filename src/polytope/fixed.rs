@@ -95,9 +95,6 @@ impl FixedPoint {
         // The leading bit goes to position FRACTION − 1.
         let up = greatest.leading_zeros() as i32 - (128 - FRACTION as i32);
         let (coordinates, error) = if up >= 0 {
-            if up > 54 {
-                return None;
-            }
             (coordinates.map(|x| x << up), ERROR << up)
         } else {
             (coordinates.map(|x| x >> -up), (ERROR >> -up) + 2)
@@ -261,6 +258,8 @@ mod tests {
             let points = found.into_iter().chain((exact[3].is_positive()).then(|| FixedPoint::from_exact(&exact)));
             for point in points {
                 prop_assert!(exact[3].is_positive());
+                // The bound of the binary64 layer counts on this.
+                prop_assert!(point.error <= 1 << 60);
                 // Some positive factor brings the exact coordinates within the error of all computed ones: the factors that do so for one are an interval.
                 let mut range: [Option<Rational>; 2] = [None, None];
                 for (computed, exact) in point.coordinates.iter().zip(&exact) {

@@ -29,8 +29,13 @@ def row(value, where):
     return (POINT_ROW if isinstance(value, dict) and "piece" in value else SIDE_ROW)(value, where)
 
 
+def parameter(value, where):
+    """The reader of a parameter, short enough for powers of it."""
+    return number(value, where, PARAMETER_BITS)
+
+
 INDEX = natural(0, (1 << 32) - 1)
-POINT_ROW = record({"piece": INDEX, "u": lambda value, where: number(value, where, PARAMETER_BITS)})
+POINT_ROW = record({"piece": INDEX, "u": parameter})
 SIDE_ROW = record({"axis": INDEX, "side": text("low", "high")})
 ROWS = items(row, most=MAX_COUNT)
 NOT_NEGATIVE = within(number, 0)
@@ -42,7 +47,7 @@ OUTCOMES = {
     "change": {"from": items(number), **SQUARED_BOUNDS},
     "ball": {"lower": within(number, 0, strict=True), "upper": number},
 }
-STATEMENT = {"points": items(INDEX), "sign": text("+", "-"), "interval": items(lambda value, where: number(value, where, PARAMETER_BITS), 2), "open": items(boolean, 2),
+STATEMENT = {"points": items(INDEX), "sign": text("+", "-"), "interval": items(parameter, 2), "open": items(boolean, 2),
              "box": items(items(number), 2), "outcome": variant("kind", OUTCOMES)}
 
 
