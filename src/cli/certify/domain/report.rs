@@ -239,13 +239,10 @@ impl Report<'_> {
                     self.rounds.len()
                 )?;
             }
-            (Evidence::Empty { rows, .. }, _) => {
-                writeln!(
-                    text,
-                    "  because of {} inequalities that contradict each other",
-                    rows.len()
-                )?;
-            }
+            (Evidence::Empty { rows, .. }, _) => match rows.len() {
+                1 => writeln!(text, "  because of one inequality that holds nowhere")?,
+                count => writeln!(text, "  because of {count} inequalities that contradict each other")?,
+            },
             _ => {}
         }
         if let Some(place) = Place::of(&document.curve, &document.claim) {
