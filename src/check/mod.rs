@@ -11,6 +11,7 @@ pub mod element;
 pub mod hull;
 mod msd;
 pub mod part;
+pub mod polynomial;
 pub mod rule;
 pub mod section;
 pub mod tangents;
