@@ -5,7 +5,7 @@ use std::io::Cursor;
 
 use knotproof::certificate::Encoding;
 use knotproof::check::domain::Context;
-use knotproof::check::domain::polynomial::Bound;
+use knotproof::check::polynomial::Bound;
 use knotproof::claim::domain::{Box as Corners, Domain, Evidence, Outcome, Row, Sign};
 use knotproof::curve::{BSpline, Bezier, Curve, Form, read_curve};
 use knotproof::number::{Integer, Rational, RationalVector};

@@ -6,11 +6,13 @@ pub mod blossom;
 pub mod boxes;
 pub mod chain;
 pub mod cover;
+pub mod curvature;
 pub mod domain;
 pub mod element;
 pub mod hull;
 mod msd;
 pub mod part;
+pub mod polynomial;
 pub mod rule;
 pub mod section;
 pub mod tangents;
@@ -47,7 +49,7 @@ pub enum Place {
         /// Second node.
         b: String,
     },
-    /// The evidence of the claim `domain`.
+    /// The evidence of a claim without a tree.
     Evidence,
     /// Between the tokens.
     Token {
@@ -179,6 +181,9 @@ pub fn check<R: Read>(source: R) -> Verdict {
         Claim::Msd(content) => check_msd(&document.curve, content, &mut tokens),
         Claim::Domain(content) => no_tokens(&mut tokens)
             .and_then(|()| domain::check_domain(&document.curve, content))
+            .map(|()| 0),
+        Claim::Curvature(content) => no_tokens(&mut tokens)
+            .and_then(|()| curvature::check_curvature(&document.curve, content))
             .map(|()| 0),
     };
     match outcome {

@@ -1,5 +1,6 @@
 //! Claims: statements and their evidence, as plain data. Nothing here computes.
 
+pub mod curvature;
 pub mod domain;
 pub mod msd;
 pub mod tree;
@@ -11,15 +12,19 @@ pub enum Claim {
     Msd(msd::Content),
     /// The convex domain of a control point.
     Domain(domain::Content),
+    /// The greatest curvature.
+    Curvature(curvature::Content),
 }
 
 /// A borrowed [`Claim`].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ClaimRef<'a> {
     /// The minimum separation distance.
     Msd(&'a msd::Content),
     /// The convex domain of a control point.
     Domain(&'a domain::Content),
+    /// The greatest curvature.
+    Curvature(&'a curvature::Content),
 }
 
 /// The content of a certificate, of one claim or of any.
@@ -33,6 +38,7 @@ impl AsClaim for Claim {
         match self {
             Claim::Msd(content) => ClaimRef::Msd(content),
             Claim::Domain(content) => ClaimRef::Domain(content),
+            Claim::Curvature(content) => ClaimRef::Curvature(content),
         }
     }
 }
@@ -49,12 +55,18 @@ impl AsClaim for domain::Content {
     }
 }
 
+impl AsClaim for curvature::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Curvature(self)
+    }
+}
+
 impl Claim {
     /// The content of the claim `msd`, if it is that.
     pub fn msd(&self) -> Option<&msd::Content> {
         match self {
             Claim::Msd(content) => Some(content),
-            Claim::Domain(_) => None,
+            _ => None,
         }
     }
 
@@ -62,7 +74,15 @@ impl Claim {
     pub fn domain(&self) -> Option<&domain::Content> {
         match self {
             Claim::Domain(content) => Some(content),
-            Claim::Msd(_) => None,
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `curvature`, if it is that.
+    pub fn curvature(&self) -> Option<&curvature::Content> {
+        match self {
+            Claim::Curvature(content) => Some(content),
+            _ => None,
         }
     }
 }

@@ -9,6 +9,7 @@ use knotproof::claim::Claim;
 use serde::Serialize;
 
 use super::bounds::{Bounds, in_words, leaves_in_words};
+use super::curvature_words::{self, CurvatureLine};
 use super::domain_words::{self, DomainLine};
 use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
@@ -84,6 +85,12 @@ enum StatementLine {
     Domain {
         #[serde(flatten)]
         line: DomainLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Curvature {
+        #[serde(flatten)]
+        line: CurvatureLine,
         #[serde(skip)]
         words: String,
     },
@@ -173,6 +180,10 @@ fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
             line: DomainLine::new(&content.statement),
             words: domain_words::in_words(&content.statement),
         },
+        Claim::Curvature(content) => StatementLine::Curvature {
+            line: CurvatureLine::new(&content.statement),
+            words: curvature_words::in_words(&content.statement),
+        },
     };
     Outcome::Accepted {
         verdict: "accepted",
@@ -220,7 +231,9 @@ impl Outcome {
                         "accepted: {input}: {words} (minimum separation distance, {convention} convention; curve {curve}…, {})\n",
                         leaves_in_words(*leaves),
                     ),
-                    StatementLine::Domain { words, .. } => format!("accepted: {input}: {words} (curve {curve}…)\n"),
+                    StatementLine::Domain { words, .. } | StatementLine::Curvature { words, .. } => {
+                        format!("accepted: {input}: {words} (curve {curve}…)\n")
+                    }
                 }
             }
             Outcome::Rejected {

@@ -4,6 +4,7 @@ mod bounds;
 #[cfg(feature = "prove")]
 mod certify;
 mod check;
+mod curvature_words;
 mod domain_words;
 mod failure;
 mod input;

@@ -2,6 +2,7 @@
 
 mod cone;
 mod cover;
+pub mod curvature;
 pub mod domain;
 mod exact;
 mod float_chain;

@@ -1,5 +1,6 @@
 //! The JSON form, and the header of the binary form (FORMAT §4, §9).
 
+mod curvature;
 mod domain;
 mod msd;
 mod numbers;

@@ -8,7 +8,7 @@ use super::super::block::{self, hexadecimal};
 use super::super::{Document, FormatError};
 use super::numbers::{Parsed, numbers, points, shortened};
 use super::raw::{InBlock, Object, RawClaim, RawCurve, RawDocument, Text};
-use super::{domain, msd};
+use super::{curvature, domain, msd};
 use crate::claim::Claim;
 use crate::curve::{BSpline, Bezier, Curve, Form, MAXIMUM_PIECES};
 
@@ -87,8 +87,15 @@ impl Header<'_> {
                 let content = domain::read(self.statement, self.evidence, dimension)?;
                 (Claim::Domain(content), Vec::new())
             }
+            "curvature" => {
+                let content = curvature::read(self.statement, self.evidence)?;
+                (Claim::Curvature(content), Vec::new())
+            }
             other => {
-                let what = format!("found {:?}, expected \"msd\" or \"domain\"", shortened(other));
+                let what = format!(
+                    "found {:?}, expected \"msd\", \"domain\" or \"curvature\"",
+                    shortened(other)
+                );
                 return Err(FormatError::malformed("statement.claim", what));
             }
         };

@@ -4,8 +4,8 @@
 
 use super::change::show_ball;
 use super::combination::combine;
-use super::polynomial::Bound;
 use super::{Checked, Context, fails};
+use crate::check::polynomial::Bound;
 use crate::claim::domain::Evidence;
 use crate::number::{Integer, Rational, RationalExt};
 

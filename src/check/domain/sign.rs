@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::polynomial::unscaled;
 use crate::check::blossom::interval_values;
+use crate::check::polynomial::unscaled;
 use crate::claim::domain::{Domain, Sign};
 use crate::curve::{BSpline, Bezier, Curve, Form};
 use crate::number::{Integer, Rational};

@@ -1,6 +1,7 @@
 //! `knotproof certify`: proves a claim about a curve.
 
 mod atomic_file;
+mod curvature;
 mod domain;
 mod msd;
 mod output_file;
@@ -23,6 +24,7 @@ pub struct Arguments {
 enum Claim {
     Msd(Box<msd::Arguments>),
     Domain(Box<domain::Arguments>),
+    Curvature(curvature::Arguments),
 }
 
 /// Runs the subcommand.
@@ -30,5 +32,6 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     match arguments.claim {
         Claim::Msd(arguments) => msd::run(*arguments),
         Claim::Domain(arguments) => domain::run(&arguments),
+        Claim::Curvature(arguments) => curvature::run(&arguments),
     }
 }

@@ -14,6 +14,7 @@ use super::linear_program::FloatSolver;
 use crate::certificate::{Document, Encoding, write};
 use crate::check::domain::Context;
 use crate::check::{Verdict, check};
+use crate::claim::AsClaim;
 use crate::claim::domain::{Content, Outcome, Statement};
 use crate::curve::Curve;
 use crate::number::{Rational, RationalExt};
@@ -87,8 +88,8 @@ impl From<io::Error> for CertifyError {
 ///
 /// # Errors
 /// [`CertifyError::Refuted`] when the checker does not accept the file, which must then be thrown away.
-pub fn write_checked<F: Read + Write + Seek>(
-    document: &Document<Content>,
+pub fn write_checked<C: AsClaim, F: Read + Write + Seek>(
+    document: &Document<C>,
     encoding: Encoding,
     file: &mut F,
 ) -> Result<(), CertifyError> {
@@ -99,15 +100,8 @@ pub fn write_checked<F: Read + Write + Seek>(
     }
     file.seek(SeekFrom::Start(0))?;
     match check(&mut *file) {
-        Verdict::Accepted { document: read, .. }
-            if read
-                .claim
-                .domain()
-                .is_some_and(|content| content.statement == document.claim.statement) =>
-        {
-            Ok(())
-        }
-        Verdict::Accepted { .. } => Err(CertifyError::Refuted("another statement was read back".into())),
+        Verdict::Accepted { document: read, .. } if read.claim.as_claim() == document.claim.as_claim() => Ok(()),
+        Verdict::Accepted { .. } => Err(CertifyError::Refuted("another claim was read back".into())),
         Verdict::Malformed(error) => Err(CertifyError::Refuted(error.to_string())),
         Verdict::Rejected { rejection, .. } => Err(CertifyError::Refuted(rejection.to_string())),
     }

@@ -11,8 +11,8 @@ use num_traits::Signed;
 
 use super::parts::{Hit, Parts};
 use crate::check::domain::Context;
-use crate::check::domain::polynomial::Bound;
 use crate::check::domain::star::measure;
+use crate::check::polynomial::Bound;
 use crate::claim::domain::{Evidence, Row, Star};
 use crate::number::{Integer, Rational, RationalExt, RationalVector};
 use crate::polytope::{Clip, HalfSpace, Polytope, hull2, hull3};
