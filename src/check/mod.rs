@@ -9,6 +9,7 @@ pub mod cover;
 pub mod curvature;
 pub mod domain;
 pub mod element;
+pub mod embedding;
 pub mod hull;
 mod msd;
 pub mod part;
@@ -93,6 +94,18 @@ pub enum Reason {
     TokensLeft,
     /// A token that cannot be read.
     Token(String),
+    /// Another number of edges than the tree's.
+    Edges {
+        /// As stated.
+        stated: u64,
+        /// Of the polygon inscribed at the end points of the leaves.
+        found: u64,
+    },
+    /// A perturbation radius beyond the one that the tree proves.
+    Radius {
+        /// Which of the two.
+        norm: &'static str,
+    },
     /// Moving points, an interval or a box that the curve does not have.
     Domain(DomainError),
 }
@@ -136,6 +149,13 @@ impl fmt::Display for Reason {
             Reason::TokensMissing => f.write_str("the tokens end before the tree does"),
             Reason::TokensLeft => f.write_str("tokens left over when the tree is complete"),
             Reason::Token(what) => f.write_str(what),
+            Reason::Edges { stated, found } => write!(f, "expected {found} edges, found {stated}"),
+            Reason::Radius { norm } => {
+                write!(
+                    f,
+                    "perturbation_radius.{norm}: expected at most the least margin of the leaves, found more"
+                )
+            }
             Reason::Domain(error) => error.fmt(f),
         }
     }
@@ -179,6 +199,7 @@ pub fn check<R: Read>(source: R) -> Verdict {
     let document = Box::new(document);
     let outcome = match &document.claim {
         Claim::Msd(content) => check_msd(&document.curve, content, &mut tokens),
+        Claim::Embedding(content) => embedding::check_embedding(&document.curve, content, &mut tokens),
         Claim::Domain(content) => no_tokens(&mut tokens)
             .and_then(|()| domain::check_domain(&document.curve, content))
             .map(|()| 0),

@@ -2,6 +2,7 @@
 
 pub mod curvature;
 pub mod domain;
+pub mod embedding;
 pub mod msd;
 pub mod tree;
 
@@ -14,6 +15,8 @@ pub enum Claim {
     Domain(domain::Content),
     /// The greatest curvature.
     Curvature(curvature::Content),
+    /// The curve is embedded.
+    Embedding(embedding::Content),
 }
 
 /// A borrowed [`Claim`].
@@ -25,6 +28,8 @@ pub enum ClaimRef<'a> {
     Domain(&'a domain::Content),
     /// The greatest curvature.
     Curvature(&'a curvature::Content),
+    /// The curve is embedded.
+    Embedding(&'a embedding::Content),
 }
 
 /// The content of a certificate, of one claim or of any.
@@ -39,6 +44,7 @@ impl AsClaim for Claim {
             Claim::Msd(content) => ClaimRef::Msd(content),
             Claim::Domain(content) => ClaimRef::Domain(content),
             Claim::Curvature(content) => ClaimRef::Curvature(content),
+            Claim::Embedding(content) => ClaimRef::Embedding(content),
         }
     }
 }
@@ -58,6 +64,12 @@ impl AsClaim for domain::Content {
 impl AsClaim for curvature::Content {
     fn as_claim(&self) -> ClaimRef<'_> {
         ClaimRef::Curvature(self)
+    }
+}
+
+impl AsClaim for embedding::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Embedding(self)
     }
 }
 
@@ -82,6 +94,14 @@ impl Claim {
     pub fn curvature(&self) -> Option<&curvature::Content> {
         match self {
             Claim::Curvature(content) => Some(content),
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `embedding`, if it is that.
+    pub fn embedding(&self) -> Option<&embedding::Content> {
+        match self {
+            Claim::Embedding(content) => Some(content),
             _ => None,
         }
     }

@@ -11,6 +11,7 @@ use serde::Serialize;
 use super::bounds::{Bounds, in_words, leaves_in_words};
 use super::curvature_words::{self, CurvatureLine};
 use super::domain_words::{self, DomainLine};
+use super::embedding_words::{self, EmbeddingLine};
 use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
 use super::output::{complain, say, say_json};
@@ -91,6 +92,12 @@ enum StatementLine {
     Curvature {
         #[serde(flatten)]
         line: CurvatureLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Embedding {
+        #[serde(flatten)]
+        line: EmbeddingLine,
         #[serde(skip)]
         words: String,
     },
@@ -184,6 +191,10 @@ fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
             line: CurvatureLine::new(&content.statement),
             words: curvature_words::in_words(&content.statement),
         },
+        Claim::Embedding(content) => StatementLine::Embedding {
+            line: EmbeddingLine::new(&content.statement),
+            words: embedding_words::in_words(&content.statement),
+        },
     };
     Outcome::Accepted {
         verdict: "accepted",
@@ -229,6 +240,10 @@ impl Outcome {
                 match statement.as_ref() {
                     StatementLine::Msd { convention, words, .. } => format!(
                         "accepted: {input}: {words} (minimum separation distance, {convention} convention; curve {curve}…, {})\n",
+                        leaves_in_words(*leaves),
+                    ),
+                    StatementLine::Embedding { words, .. } => format!(
+                        "accepted: {input}: {words} (curve {curve}…, {})\n",
                         leaves_in_words(*leaves),
                     ),
                     StatementLine::Domain { words, .. } | StatementLine::Curvature { words, .. } => {

@@ -6,6 +6,7 @@ mod certify;
 mod check;
 mod curvature_words;
 mod domain_words;
+mod embedding_words;
 mod failure;
 mod input;
 mod output;

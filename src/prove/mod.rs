@@ -4,6 +4,8 @@ mod cone;
 mod cover;
 pub mod curvature;
 pub mod domain;
+pub mod embedding;
+mod evidence;
 mod exact;
 mod float_chain;
 mod half_plane;

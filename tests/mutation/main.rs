@@ -352,7 +352,10 @@ fn half_planes() {
 fn sandwiches() {
     run_domain("block", &subjects::domain::block());
     let path = common::case::certs().join("accept/proved/domain-cubic.json");
-    run_domain("cubic", &Certificate::of_bytes(&std::fs::read(path).expect("in the corpus")));
+    run_domain(
+        "cubic",
+        &Certificate::of_bytes(&std::fs::read(path).expect("in the corpus")),
+    );
 }
 
 #[test]

@@ -2,10 +2,12 @@
 
 mod curvature;
 mod domain;
+mod embedding;
 mod msd;
 mod numbers;
 mod raw;
 mod read;
+mod tree;
 mod write;
 
 pub use read::{read, read_header};

@@ -4,7 +4,7 @@ use std::io::{self, Read, Write};
 
 use super::super::Document;
 use super::super::block::{self, hexadecimal};
-use super::{curvature, domain, msd};
+use super::{curvature, domain, embedding, msd};
 use crate::claim::{AsClaim, ClaimRef};
 use crate::curve::{Curve, Form};
 use crate::number::{RationalExt, RationalVector};
@@ -48,6 +48,12 @@ fn rest<C: AsClaim, R: Read, W: Write>(
             text.push_str(between);
             out.write_all(text.as_bytes())?;
             msd::write_evidence(content, document.curve.dimension(), tree, out)?;
+        }
+        ClaimRef::Embedding(content) => {
+            embedding::write_statement(&content.statement, &mut text);
+            text.push_str(between);
+            out.write_all(text.as_bytes())?;
+            embedding::write_evidence(content, document.curve.dimension(), tree, out)?;
         }
         ClaimRef::Domain(content) => {
             domain::write_statement(&content.statement, &mut text);

@@ -3,6 +3,7 @@
 mod atomic_file;
 mod curvature;
 mod domain;
+mod embedding;
 mod msd;
 mod output_file;
 mod progress;
@@ -25,6 +26,7 @@ enum Claim {
     Msd(Box<msd::Arguments>),
     Domain(Box<domain::Arguments>),
     Curvature(curvature::Arguments),
+    Embedding(Box<embedding::Arguments>),
 }
 
 /// Runs the subcommand.
@@ -33,5 +35,6 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         Claim::Msd(arguments) => msd::run(*arguments),
         Claim::Domain(arguments) => domain::run(&arguments),
         Claim::Curvature(arguments) => curvature::run(&arguments),
+        Claim::Embedding(arguments) => embedding::run(*arguments),
     }
 }
