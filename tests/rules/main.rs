@@ -48,6 +48,9 @@ verified!(
     nearest,
     change,
     ball,
+    separate,
+    monotone,
+    embedding,
 );
 
 #[test]

@@ -10,14 +10,17 @@ pub mod critical_root;
 pub mod crossing;
 pub mod curve;
 pub mod domain;
+pub mod embedding;
 pub mod empty;
 pub mod far;
 pub mod miranda;
+pub mod monotone;
 pub mod nearest;
 pub mod not_normal;
 pub mod numbers;
 pub mod root;
 pub mod sandwich;
+pub mod separate;
 pub mod statement;
 pub mod text;
 pub mod touch;
@@ -54,6 +57,9 @@ pub fn all() -> Vec<(&'static str, fn() -> Vec<Case>)> {
         ("nearest", nearest::cases),
         ("change", change::cases),
         ("ball", ball::cases),
+        ("separate", separate::cases),
+        ("monotone", monotone::cases),
+        ("embedding", embedding::cases),
     ]
 }
 
