@@ -7,6 +7,7 @@ pub mod boxes;
 pub mod chain;
 pub mod cover;
 pub mod curvature;
+pub mod deviation;
 pub mod domain;
 pub mod element;
 pub mod embedding;
@@ -202,6 +203,9 @@ pub fn check<R: Read>(source: R) -> Verdict {
         Claim::Embedding(content) => embedding::check_embedding(&document.curve, content, &mut tokens),
         Claim::Domain(content) => no_tokens(&mut tokens)
             .and_then(|()| domain::check_domain(&document.curve, content))
+            .map(|()| 0),
+        Claim::Deviation(content) => no_tokens(&mut tokens)
+            .and_then(|()| deviation::check_deviation(&document.curve, content))
             .map(|()| 0),
         Claim::Curvature(content) => no_tokens(&mut tokens)
             .and_then(|()| curvature::check_curvature(&document.curve, content))

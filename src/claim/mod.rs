@@ -1,6 +1,7 @@
 //! Claims: statements and their evidence, as plain data. Nothing here computes.
 
 pub mod curvature;
+pub mod deviation;
 pub mod domain;
 pub mod embedding;
 pub mod msd;
@@ -15,6 +16,8 @@ pub enum Claim {
     Domain(domain::Content),
     /// The greatest curvature.
     Curvature(curvature::Content),
+    /// The distance from the control polygon.
+    Deviation(deviation::Content),
     /// The curve is embedded.
     Embedding(embedding::Content),
 }
@@ -28,6 +31,8 @@ pub enum ClaimRef<'a> {
     Domain(&'a domain::Content),
     /// The greatest curvature.
     Curvature(&'a curvature::Content),
+    /// The distance from the control polygon.
+    Deviation(&'a deviation::Content),
     /// The curve is embedded.
     Embedding(&'a embedding::Content),
 }
@@ -44,6 +49,7 @@ impl AsClaim for Claim {
             Claim::Msd(content) => ClaimRef::Msd(content),
             Claim::Domain(content) => ClaimRef::Domain(content),
             Claim::Curvature(content) => ClaimRef::Curvature(content),
+            Claim::Deviation(content) => ClaimRef::Deviation(content),
             Claim::Embedding(content) => ClaimRef::Embedding(content),
         }
     }
@@ -58,6 +64,12 @@ impl AsClaim for msd::Content {
 impl AsClaim for domain::Content {
     fn as_claim(&self) -> ClaimRef<'_> {
         ClaimRef::Domain(self)
+    }
+}
+
+impl AsClaim for deviation::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Deviation(self)
     }
 }
 
@@ -86,6 +98,14 @@ impl Claim {
     pub fn domain(&self) -> Option<&domain::Content> {
         match self {
             Claim::Domain(content) => Some(content),
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `deviation`, if it is that.
+    pub fn deviation(&self) -> Option<&deviation::Content> {
+        match self {
+            Claim::Deviation(content) => Some(content),
             _ => None,
         }
     }

@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::bounds::{Bounds, in_words, leaves_in_words};
 use super::curvature_words::{self, CurvatureLine};
+use super::deviation_words::{self, DeviationLine};
 use super::domain_words::{self, DomainLine};
 use super::embedding_words::{self, EmbeddingLine};
 use super::failure::Failure;
@@ -86,6 +87,12 @@ enum StatementLine {
     Domain {
         #[serde(flatten)]
         line: DomainLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Deviation {
+        #[serde(flatten)]
+        line: DeviationLine,
         #[serde(skip)]
         words: String,
     },
@@ -187,6 +194,10 @@ fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
             line: DomainLine::new(&content.statement),
             words: domain_words::in_words(&content.statement),
         },
+        Claim::Deviation(content) => StatementLine::Deviation {
+            line: DeviationLine::new(&content.statement),
+            words: deviation_words::in_words(&content.statement),
+        },
         Claim::Curvature(content) => StatementLine::Curvature {
             line: CurvatureLine::new(&content.statement),
             words: curvature_words::in_words(&content.statement),
@@ -246,7 +257,9 @@ impl Outcome {
                         "accepted: {input}: {words} (curve {curve}…, {})\n",
                         leaves_in_words(*leaves),
                     ),
-                    StatementLine::Domain { words, .. } | StatementLine::Curvature { words, .. } => {
+                    StatementLine::Domain { words, .. }
+                    | StatementLine::Deviation { words, .. }
+                    | StatementLine::Curvature { words, .. } => {
                         format!("accepted: {input}: {words} (curve {curve}…)\n")
                     }
                 }

@@ -5,6 +5,7 @@ mod bounds;
 mod certify;
 mod check;
 mod curvature_words;
+mod deviation_words;
 mod domain_words;
 mod embedding_words;
 mod failure;

@@ -3,6 +3,7 @@
 mod cone;
 mod cover;
 pub mod curvature;
+pub mod deviation;
 pub mod domain;
 pub mod embedding;
 mod evidence;

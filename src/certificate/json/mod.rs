@@ -1,6 +1,7 @@
 //! The JSON form, and the header of the binary form (FORMAT §4, §9).
 
 mod curvature;
+mod deviation;
 mod domain;
 mod embedding;
 mod msd;

@@ -8,7 +8,7 @@ use super::super::block::{self, hexadecimal};
 use super::super::{Document, FormatError};
 use super::numbers::{Parsed, numbers, points, shortened};
 use super::raw::{InBlock, Object, RawClaim, RawCurve, RawDocument, Text};
-use super::{curvature, domain, embedding, msd};
+use super::{curvature, deviation, domain, embedding, msd};
 use crate::claim::Claim;
 use crate::curve::{BSpline, Bezier, Curve, Form, MAXIMUM_PIECES};
 
@@ -87,6 +87,10 @@ impl Header<'_> {
                 let content = domain::read(self.statement, self.evidence, dimension)?;
                 (Claim::Domain(content), Vec::new())
             }
+            "deviation" => {
+                let content = deviation::read(self.statement, self.evidence)?;
+                (Claim::Deviation(content), Vec::new())
+            }
             "curvature" => {
                 let content = curvature::read(self.statement, self.evidence)?;
                 (Claim::Curvature(content), Vec::new())
@@ -97,7 +101,7 @@ impl Header<'_> {
             }
             other => {
                 let what = format!(
-                    "found {:?}, expected \"msd\", \"domain\", \"embedding\" or \"curvature\"",
+                    "found {:?}, expected \"msd\", \"domain\", \"embedding\", \"curvature\" or \"deviation\"",
                     shortened(other)
                 );
                 return Err(FormatError::malformed("statement.claim", what));

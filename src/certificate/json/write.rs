@@ -4,7 +4,7 @@ use std::io::{self, Read, Write};
 
 use super::super::Document;
 use super::super::block::{self, hexadecimal};
-use super::{curvature, domain, embedding, msd};
+use super::{curvature, deviation, domain, embedding, msd};
 use crate::claim::{AsClaim, ClaimRef};
 use crate::curve::{Curve, Form};
 use crate::number::{RationalExt, RationalVector};
@@ -59,6 +59,12 @@ fn rest<C: AsClaim, R: Read, W: Write>(
             domain::write_statement(&content.statement, &mut text);
             text.push_str(between);
             domain::write_evidence(&content.evidence, &mut text);
+            out.write_all(text.as_bytes())?;
+        }
+        ClaimRef::Deviation(content) => {
+            text.push_str(&deviation::statement_text(&content.statement));
+            text.push_str(between);
+            text.push_str(&deviation::evidence_text(&content.evidence));
             out.write_all(text.as_bytes())?;
         }
         ClaimRef::Curvature(content) => {

@@ -2,6 +2,7 @@
 
 mod atomic_file;
 mod curvature;
+mod deviation;
 mod domain;
 mod embedding;
 mod msd;
@@ -26,6 +27,7 @@ enum Claim {
     Msd(Box<msd::Arguments>),
     Domain(Box<domain::Arguments>),
     Curvature(curvature::Arguments),
+    Deviation(deviation::Arguments),
     Embedding(Box<embedding::Arguments>),
 }
 
@@ -35,6 +37,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         Claim::Msd(arguments) => msd::run(*arguments),
         Claim::Domain(arguments) => domain::run(&arguments),
         Claim::Curvature(arguments) => curvature::run(&arguments),
+        Claim::Deviation(arguments) => deviation::run(&arguments),
         Claim::Embedding(arguments) => embedding::run(*arguments),
     }
 }
