@@ -152,7 +152,11 @@ pub fn read<R: Read>(mut source: R) -> Result<(Document<'static>, Tokens<R>), Fo
 
 impl<C: AsClaim> Document<'_, C> {
     fn has_tree(&self) -> bool {
-        matches!(self.claim.as_claim(), ClaimRef::Msd(content) if content.has_tree)
+        match self.claim.as_claim() {
+            ClaimRef::Msd(content) => content.has_tree,
+            ClaimRef::Thickness(content) => content.has_tree(),
+            ClaimRef::Domain(_) | ClaimRef::Curvature(_) => false,
+        }
     }
 }
 

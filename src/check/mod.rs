@@ -16,6 +16,7 @@ pub mod polynomial;
 pub mod rule;
 pub mod section;
 pub mod tangents;
+mod thickness;
 pub mod word;
 
 use std::fmt;
@@ -27,6 +28,7 @@ use crate::claim::tree::TokenSource;
 use domain::sign::DomainError;
 pub use msd::check_msd;
 pub use rule::Failure;
+pub use thickness::check_thickness;
 
 /// Where a certificate was found wanting.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -182,6 +184,7 @@ pub fn check<R: Read>(source: R) -> Verdict {
         Claim::Domain(content) => no_tokens(&mut tokens)
             .and_then(|()| domain::check_domain(&document.curve, content))
             .map(|()| 0),
+        Claim::Thickness(content) => check_thickness(&document.curve, content, &mut tokens),
         Claim::Curvature(content) => no_tokens(&mut tokens)
             .and_then(|()| curvature::check_curvature(&document.curve, content))
             .map(|()| 0),

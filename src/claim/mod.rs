@@ -3,6 +3,7 @@
 pub mod curvature;
 pub mod domain;
 pub mod msd;
+pub mod thickness;
 pub mod tree;
 
 /// What a certificate says and why, of one of the claims.
@@ -14,6 +15,8 @@ pub enum Claim {
     Domain(domain::Content),
     /// The greatest curvature.
     Curvature(curvature::Content),
+    /// The thickness.
+    Thickness(thickness::Content),
 }
 
 /// A borrowed [`Claim`].
@@ -25,6 +28,8 @@ pub enum ClaimRef<'a> {
     Domain(&'a domain::Content),
     /// The greatest curvature.
     Curvature(&'a curvature::Content),
+    /// The thickness.
+    Thickness(&'a thickness::Content),
 }
 
 /// The content of a certificate, of one claim or of any.
@@ -39,6 +44,7 @@ impl AsClaim for Claim {
             Claim::Msd(content) => ClaimRef::Msd(content),
             Claim::Domain(content) => ClaimRef::Domain(content),
             Claim::Curvature(content) => ClaimRef::Curvature(content),
+            Claim::Thickness(content) => ClaimRef::Thickness(content),
         }
     }
 }
@@ -58,6 +64,12 @@ impl AsClaim for domain::Content {
 impl AsClaim for curvature::Content {
     fn as_claim(&self) -> ClaimRef<'_> {
         ClaimRef::Curvature(self)
+    }
+}
+
+impl AsClaim for thickness::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Thickness(self)
     }
 }
 
@@ -82,6 +94,14 @@ impl Claim {
     pub fn curvature(&self) -> Option<&curvature::Content> {
         match self {
             Claim::Curvature(content) => Some(content),
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `thickness`, if it is that.
+    pub fn thickness(&self) -> Option<&thickness::Content> {
+        match self {
+            Claim::Thickness(content) => Some(content),
             _ => None,
         }
     }

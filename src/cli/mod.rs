@@ -9,6 +9,7 @@ mod domain_words;
 mod failure;
 mod input;
 mod output;
+mod thickness_words;
 
 use std::process::ExitCode;
 

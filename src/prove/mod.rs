@@ -13,6 +13,7 @@ pub mod msd;
 mod newton;
 mod node;
 mod seeds;
+pub mod thickness;
 mod tree;
 mod upper;
 mod vector;

@@ -6,6 +6,7 @@ mod msd;
 mod numbers;
 mod raw;
 mod read;
+mod thickness;
 mod write;
 
 pub use read::{read, read_header};

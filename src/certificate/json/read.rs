@@ -8,7 +8,7 @@ use super::super::block::{self, hexadecimal};
 use super::super::{Document, FormatError};
 use super::numbers::{Parsed, numbers, points, shortened};
 use super::raw::{InBlock, Object, RawClaim, RawCurve, RawDocument, Text};
-use super::{curvature, domain, msd};
+use super::{curvature, domain, msd, thickness};
 use crate::claim::Claim;
 use crate::curve::{BSpline, Bezier, Curve, Form, MAXIMUM_PIECES};
 
@@ -91,9 +91,13 @@ impl Header<'_> {
                 let content = curvature::read(self.statement, self.evidence)?;
                 (Claim::Curvature(content), Vec::new())
             }
+            "thickness" => {
+                let (content, tokens) = thickness::read(self.statement, self.evidence, self.block, dimension)?;
+                (Claim::Thickness(content), tokens)
+            }
             other => {
                 let what = format!(
-                    "found {:?}, expected \"msd\", \"domain\" or \"curvature\"",
+                    "found {:?}, expected \"msd\", \"domain\", \"curvature\" or \"thickness\"",
                     shortened(other)
                 );
                 return Err(FormatError::malformed("statement.claim", what));

@@ -7,6 +7,7 @@ mod msd;
 mod output_file;
 mod progress;
 mod report;
+mod thickness;
 
 use clap::{Args, Subcommand};
 
@@ -25,6 +26,7 @@ enum Claim {
     Msd(Box<msd::Arguments>),
     Domain(Box<domain::Arguments>),
     Curvature(curvature::Arguments),
+    Thickness(thickness::Arguments),
 }
 
 /// Runs the subcommand.
@@ -33,5 +35,6 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         Claim::Msd(arguments) => msd::run(*arguments),
         Claim::Domain(arguments) => domain::run(&arguments),
         Claim::Curvature(arguments) => curvature::run(&arguments),
+        Claim::Thickness(arguments) => thickness::run(&arguments),
     }
 }
