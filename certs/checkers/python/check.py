@@ -15,10 +15,11 @@ import sys
 import curvature
 import domain
 import msd
+import thickness
 from curve import curve_block, read_chain
 from document import BinaryReader, Reject, anything, expect, natural, parse_json, record, text, variant
 
-CLAIMS = {"msd": msd, "domain": domain, "curvature": curvature}  # modules with STATEMENT, evidence_of, check and sentence
+CLAIMS = {"msd": msd, "domain": domain, "curvature": curvature, "thickness": thickness}  # modules with STATEMENT, evidence_of, check and sentence
 MAX_HEADER = 16_777_216
 MAX_JSON_BYTES = (1 << 30) - 1
 MAGIC = b"KNOTCRT1"
