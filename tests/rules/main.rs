@@ -48,6 +48,8 @@ verified!(
     nearest,
     change,
     ball,
+    curvature,
+    thickness,
 );
 
 #[test]

@@ -8,6 +8,7 @@ pub mod cone;
 pub mod critical_interval;
 pub mod critical_root;
 pub mod crossing;
+pub mod curvature;
 pub mod curve;
 pub mod domain;
 pub mod empty;
@@ -20,6 +21,7 @@ pub mod root;
 pub mod sandwich;
 pub mod statement;
 pub mod text;
+pub mod thickness;
 pub mod touch;
 pub mod tree;
 
@@ -54,6 +56,8 @@ pub fn all() -> Vec<(&'static str, fn() -> Vec<Case>)> {
         ("nearest", nearest::cases),
         ("change", change::cases),
         ("ball", ball::cases),
+        ("curvature", curvature::cases),
+        ("thickness", thickness::cases),
     ]
 }
 
