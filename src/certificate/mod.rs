@@ -156,6 +156,7 @@ impl<C: AsClaim> Document<'_, C> {
             ClaimRef::Msd(content) => content.has_tree,
             ClaimRef::Domain(_) | ClaimRef::Curvature(_) | ClaimRef::Deviation(_) => false,
             ClaimRef::Embedding(_) => true,
+            ClaimRef::Thickness(content) => content.has_tree(),
         }
     }
 }

@@ -18,6 +18,7 @@ pub mod polynomial;
 pub mod rule;
 pub mod section;
 pub mod tangents;
+mod thickness;
 pub mod word;
 
 use std::fmt;
@@ -29,6 +30,7 @@ use crate::claim::tree::TokenSource;
 use domain::sign::DomainError;
 pub use msd::check_msd;
 pub use rule::Failure;
+pub use thickness::check_thickness;
 
 /// Where a certificate was found wanting.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -207,6 +209,7 @@ pub fn check<R: Read>(source: R) -> Verdict {
         Claim::Deviation(content) => no_tokens(&mut tokens)
             .and_then(|()| deviation::check_deviation(&document.curve, content))
             .map(|()| 0),
+        Claim::Thickness(content) => check_thickness(&document.curve, content, &mut tokens),
         Claim::Curvature(content) => no_tokens(&mut tokens)
             .and_then(|()| curvature::check_curvature(&document.curve, content))
             .map(|()| 0),

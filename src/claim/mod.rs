@@ -5,6 +5,7 @@ pub mod deviation;
 pub mod domain;
 pub mod embedding;
 pub mod msd;
+pub mod thickness;
 pub mod tree;
 
 /// What a certificate says and why, of one of the claims.
@@ -20,6 +21,8 @@ pub enum Claim {
     Deviation(deviation::Content),
     /// The curve is embedded.
     Embedding(embedding::Content),
+    /// The thickness.
+    Thickness(thickness::Content),
 }
 
 /// A borrowed [`Claim`].
@@ -35,6 +38,8 @@ pub enum ClaimRef<'a> {
     Deviation(&'a deviation::Content),
     /// The curve is embedded.
     Embedding(&'a embedding::Content),
+    /// The thickness.
+    Thickness(&'a thickness::Content),
 }
 
 /// The content of a certificate, of one claim or of any.
@@ -51,6 +56,7 @@ impl AsClaim for Claim {
             Claim::Curvature(content) => ClaimRef::Curvature(content),
             Claim::Deviation(content) => ClaimRef::Deviation(content),
             Claim::Embedding(content) => ClaimRef::Embedding(content),
+            Claim::Thickness(content) => ClaimRef::Thickness(content),
         }
     }
 }
@@ -82,6 +88,12 @@ impl AsClaim for curvature::Content {
 impl AsClaim for embedding::Content {
     fn as_claim(&self) -> ClaimRef<'_> {
         ClaimRef::Embedding(self)
+    }
+}
+
+impl AsClaim for thickness::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Thickness(self)
     }
 }
 
@@ -122,6 +134,14 @@ impl Claim {
     pub fn embedding(&self) -> Option<&embedding::Content> {
         match self {
             Claim::Embedding(content) => Some(content),
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `thickness`, if it is that.
+    pub fn thickness(&self) -> Option<&thickness::Content> {
+        match self {
+            Claim::Thickness(content) => Some(content),
             _ => None,
         }
     }

@@ -16,6 +16,7 @@ use super::embedding_words::{self, EmbeddingLine};
 use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
 use super::output::{complain, say, say_json};
+use super::thickness_words::{self, ThicknessLine};
 use super::{Exit, Printing};
 
 /// Check certificates: replay their evidence in exact arithmetic
@@ -93,6 +94,12 @@ enum StatementLine {
     Deviation {
         #[serde(flatten)]
         line: DeviationLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Thickness {
+        #[serde(flatten)]
+        line: ThicknessLine,
         #[serde(skip)]
         words: String,
     },
@@ -198,6 +205,10 @@ fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
             line: DeviationLine::new(&content.statement),
             words: deviation_words::in_words(&content.statement),
         },
+        Claim::Thickness(content) => StatementLine::Thickness {
+            line: ThicknessLine::new(&content.statement),
+            words: thickness_words::in_words(&content.statement, document.curve.is_closed()),
+        },
         Claim::Curvature(content) => StatementLine::Curvature {
             line: CurvatureLine::new(&content.statement),
             words: curvature_words::in_words(&content.statement),
@@ -251,6 +262,11 @@ impl Outcome {
                 match statement.as_ref() {
                     StatementLine::Msd { convention, words, .. } => format!(
                         "accepted: {input}: {words} (minimum separation distance, {convention} convention; curve {curve}…, {})\n",
+                        leaves_in_words(*leaves),
+                    ),
+                    StatementLine::Thickness { line, words } => format!(
+                        "accepted: {input}: {words} ({} convention; curve {curve}…, {})\n",
+                        line.convention,
                         leaves_in_words(*leaves),
                     ),
                     StatementLine::Embedding { words, .. } => format!(

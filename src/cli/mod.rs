@@ -11,6 +11,7 @@ mod embedding_words;
 mod failure;
 mod input;
 mod output;
+mod thickness_words;
 
 use std::process::ExitCode;
 

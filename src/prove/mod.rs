@@ -16,6 +16,7 @@ pub mod msd;
 mod newton;
 mod node;
 mod seeds;
+pub mod thickness;
 mod tree;
 mod upper;
 mod vector;

@@ -2,7 +2,8 @@
 
 use serde::Deserialize;
 
-use super::numbers::{Parsed, not_negative, parameter};
+use super::super::FormatError;
+use super::numbers::{Parsed, not_negative, parameter, shortened};
 use super::raw::{Object, Text};
 use super::read::parse_within;
 use crate::claim::curvature::{Content, Evidence, Statement};
@@ -11,8 +12,8 @@ use crate::number::RationalExt;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct RawStatement<'a> {
-    #[serde(borrow, rename = "claim")]
-    _claim: Text<'a>,
+    #[serde(borrow)]
+    claim: Text<'a>,
     #[serde(borrow)]
     lower_squared: Text<'a>,
     #[serde(borrow)]
@@ -30,6 +31,10 @@ struct RawEvidence<'a> {
 /// Reads both.
 pub fn read(statement_text: &str, evidence_text: &str) -> Parsed<Content> {
     let Object(raw): Object<RawStatement> = parse_within(statement_text, "statement")?;
+    if raw.claim.0 != "curvature" {
+        let what = format!("found {:?}, expected \"curvature\"", shortened(&raw.claim.0));
+        return Err(FormatError::malformed("statement.claim", what));
+    }
     let statement = Statement {
         lower_squared: not_negative(&raw.lower_squared, "statement.lower_squared")?,
         upper_squared: not_negative(&raw.upper_squared, "statement.upper_squared")?,

@@ -8,6 +8,7 @@ mod msd;
 mod numbers;
 mod raw;
 mod read;
+mod thickness;
 mod tree;
 mod write;
 

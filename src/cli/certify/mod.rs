@@ -9,6 +9,7 @@ mod msd;
 mod output_file;
 mod progress;
 mod report;
+mod thickness;
 
 use clap::{Args, Subcommand};
 
@@ -29,6 +30,7 @@ enum Claim {
     Curvature(curvature::Arguments),
     Deviation(deviation::Arguments),
     Embedding(Box<embedding::Arguments>),
+    Thickness(thickness::Arguments),
 }
 
 /// Runs the subcommand.
@@ -39,5 +41,6 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         Claim::Curvature(arguments) => curvature::run(&arguments),
         Claim::Deviation(arguments) => deviation::run(&arguments),
         Claim::Embedding(arguments) => embedding::run(*arguments),
+        Claim::Thickness(arguments) => thickness::run(&arguments),
     }
 }

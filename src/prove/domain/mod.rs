@@ -93,9 +93,22 @@ pub fn write_checked<C: AsClaim, F: Read + Write + Seek>(
     encoding: Encoding,
     file: &mut F,
 ) -> Result<(), CertifyError> {
+    write_with_tree(document, io::empty(), encoding, file)
+}
+
+/// The same with a tree, as its tokens in their binary spelling.
+///
+/// # Errors
+/// As those of [`write_checked`].
+pub(super) fn write_with_tree<C: AsClaim, F: Read + Write + Seek>(
+    document: &Document<C>,
+    tree: impl Read,
+    encoding: Encoding,
+    file: &mut F,
+) -> Result<(), CertifyError> {
     {
         let mut out = io::BufWriter::with_capacity(1 << 16, &mut *file);
-        write(document, io::empty(), encoding, &mut out)?;
+        write(document, tree, encoding, &mut out)?;
         out.flush()?;
     }
     file.seek(SeekFrom::Start(0))?;
