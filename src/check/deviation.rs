@@ -89,10 +89,10 @@ impl Part {
         point.into_iter().map(|x| Rational::new(x, weight.clone())).collect()
     }
 
-    /// The weights in binary64, over the first.
-    pub fn weights(&self) -> Vec<f64> {
+    /// The weights, over the first.
+    pub fn weights(&self) -> Vec<Rational> {
         let weights = &self.columns[self.columns.len() - 1];
-        let over = |w: &Integer| Rational::new(w.clone(), weights[0].clone()).to_f64();
+        let over = |w: &Integer| Rational::new(w.clone(), weights[0].clone());
         weights.iter().map(over).collect()
     }
 

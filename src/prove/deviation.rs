@@ -213,7 +213,7 @@ fn highest(part: &Part, piece: usize, number: usize) -> Peak {
     let points: Vec<Vec<f64>> = (0..=n)
         .map(|k| part.control_point(k).iter().map(RationalExt::to_f64).collect())
         .collect();
-    let weights = part.weights();
+    let weights: Vec<f64> = part.weights().iter().map(RationalExt::to_f64).collect();
     let squared = |u: f64| {
         let d = points[0].len();
         let mut row: Vec<Vec<f64>> = points
