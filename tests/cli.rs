@@ -9,6 +9,12 @@ mod certify;
 #[path = "cli/check.rs"]
 mod check;
 #[cfg(feature = "prove")]
+#[path = "cli/deviation.rs"]
+mod deviation;
+#[cfg(feature = "prove")]
+#[path = "cli/domain.rs"]
+mod domain;
+#[cfg(feature = "prove")]
 #[path = "cli/embedding.rs"]
 mod embedding;
 #[path = "cli/help.rs"]

@@ -6,15 +6,19 @@ pub mod blossom;
 pub mod boxes;
 pub mod chain;
 pub mod cover;
+pub mod curvature;
+pub mod deviation;
 pub mod domain;
 pub mod element;
 pub mod embedding;
 pub mod hull;
 mod msd;
 pub mod part;
+pub mod polynomial;
 pub mod rule;
 pub mod section;
 pub mod tangents;
+mod thickness;
 pub mod word;
 
 use std::fmt;
@@ -26,6 +30,7 @@ use crate::claim::tree::TokenSource;
 use domain::sign::DomainError;
 pub use msd::check_msd;
 pub use rule::Failure;
+pub use thickness::check_thickness;
 
 /// Where a certificate was found wanting.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,7 +53,7 @@ pub enum Place {
         /// Second node.
         b: String,
     },
-    /// The evidence of the claim `domain`.
+    /// The evidence of a claim without a tree.
     Evidence,
     /// Between the tokens.
     Token {
@@ -200,6 +205,13 @@ pub fn check<R: Read>(source: R) -> Verdict {
         Claim::Embedding(content) => embedding::check_embedding(&document.curve, content, &mut tokens),
         Claim::Domain(content) => no_tokens(&mut tokens)
             .and_then(|()| domain::check_domain(&document.curve, content))
+            .map(|()| 0),
+        Claim::Deviation(content) => no_tokens(&mut tokens)
+            .and_then(|()| deviation::check_deviation(&document.curve, content))
+            .map(|()| 0),
+        Claim::Thickness(content) => check_thickness(&document.curve, content, &mut tokens),
+        Claim::Curvature(content) => no_tokens(&mut tokens)
+            .and_then(|()| curvature::check_curvature(&document.curve, content))
             .map(|()| 0),
     };
     match outcome {

@@ -1,8 +1,11 @@
 //! Claims: statements and their evidence, as plain data. Nothing here computes.
 
+pub mod curvature;
+pub mod deviation;
 pub mod domain;
 pub mod embedding;
 pub mod msd;
+pub mod thickness;
 pub mod tree;
 
 /// What a certificate says and why, of one of the claims.
@@ -12,19 +15,31 @@ pub enum Claim {
     Msd(msd::Content),
     /// The convex domain of a control point.
     Domain(domain::Content),
+    /// The greatest curvature.
+    Curvature(curvature::Content),
+    /// The distance from the control polygon.
+    Deviation(deviation::Content),
     /// The curve is embedded.
     Embedding(embedding::Content),
+    /// The thickness.
+    Thickness(thickness::Content),
 }
 
 /// A borrowed [`Claim`].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ClaimRef<'a> {
     /// The minimum separation distance.
     Msd(&'a msd::Content),
     /// The convex domain of a control point.
     Domain(&'a domain::Content),
+    /// The greatest curvature.
+    Curvature(&'a curvature::Content),
+    /// The distance from the control polygon.
+    Deviation(&'a deviation::Content),
     /// The curve is embedded.
     Embedding(&'a embedding::Content),
+    /// The thickness.
+    Thickness(&'a thickness::Content),
 }
 
 /// The content of a certificate, of one claim or of any.
@@ -38,7 +53,10 @@ impl AsClaim for Claim {
         match self {
             Claim::Msd(content) => ClaimRef::Msd(content),
             Claim::Domain(content) => ClaimRef::Domain(content),
+            Claim::Curvature(content) => ClaimRef::Curvature(content),
+            Claim::Deviation(content) => ClaimRef::Deviation(content),
             Claim::Embedding(content) => ClaimRef::Embedding(content),
+            Claim::Thickness(content) => ClaimRef::Thickness(content),
         }
     }
 }
@@ -55,9 +73,27 @@ impl AsClaim for domain::Content {
     }
 }
 
+impl AsClaim for deviation::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Deviation(self)
+    }
+}
+
+impl AsClaim for curvature::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Curvature(self)
+    }
+}
+
 impl AsClaim for embedding::Content {
     fn as_claim(&self) -> ClaimRef<'_> {
         ClaimRef::Embedding(self)
+    }
+}
+
+impl AsClaim for thickness::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Thickness(self)
     }
 }
 
@@ -66,7 +102,7 @@ impl Claim {
     pub fn msd(&self) -> Option<&msd::Content> {
         match self {
             Claim::Msd(content) => Some(content),
-            Claim::Domain(_) | Claim::Embedding(_) => None,
+            _ => None,
         }
     }
 
@@ -74,7 +110,23 @@ impl Claim {
     pub fn domain(&self) -> Option<&domain::Content> {
         match self {
             Claim::Domain(content) => Some(content),
-            Claim::Msd(_) | Claim::Embedding(_) => None,
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `deviation`, if it is that.
+    pub fn deviation(&self) -> Option<&deviation::Content> {
+        match self {
+            Claim::Deviation(content) => Some(content),
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `curvature`, if it is that.
+    pub fn curvature(&self) -> Option<&curvature::Content> {
+        match self {
+            Claim::Curvature(content) => Some(content),
+            _ => None,
         }
     }
 
@@ -82,7 +134,15 @@ impl Claim {
     pub fn embedding(&self) -> Option<&embedding::Content> {
         match self {
             Claim::Embedding(content) => Some(content),
-            Claim::Msd(_) | Claim::Domain(_) => None,
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `thickness`, if it is that.
+    pub fn thickness(&self) -> Option<&thickness::Content> {
+        match self {
+            Claim::Thickness(content) => Some(content),
+            _ => None,
         }
     }
 }

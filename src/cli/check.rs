@@ -9,11 +9,14 @@ use knotproof::claim::Claim;
 use serde::Serialize;
 
 use super::bounds::{Bounds, in_words, leaves_in_words};
+use super::curvature_words::{self, CurvatureLine};
+use super::deviation_words::{self, DeviationLine};
 use super::domain_words::{self, DomainLine};
 use super::embedding_words::{self, EmbeddingLine};
 use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
 use super::output::{complain, say, say_json};
+use super::thickness_words::{self, ThicknessLine};
 use super::{Exit, Printing};
 
 /// Check certificates: replay their evidence in exact arithmetic
@@ -85,6 +88,24 @@ enum StatementLine {
     Domain {
         #[serde(flatten)]
         line: DomainLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Deviation {
+        #[serde(flatten)]
+        line: DeviationLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Thickness {
+        #[serde(flatten)]
+        line: ThicknessLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Curvature {
+        #[serde(flatten)]
+        line: CurvatureLine,
         #[serde(skip)]
         words: String,
     },
@@ -180,6 +201,18 @@ fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
             line: DomainLine::new(&content.statement),
             words: domain_words::in_words(&content.statement),
         },
+        Claim::Deviation(content) => StatementLine::Deviation {
+            line: DeviationLine::new(&content.statement),
+            words: deviation_words::in_words(&content.statement),
+        },
+        Claim::Thickness(content) => StatementLine::Thickness {
+            line: ThicknessLine::new(&content.statement),
+            words: thickness_words::in_words(&content.statement, document.curve.is_closed()),
+        },
+        Claim::Curvature(content) => StatementLine::Curvature {
+            line: CurvatureLine::new(&content.statement),
+            words: curvature_words::in_words(&content.statement),
+        },
         Claim::Embedding(content) => StatementLine::Embedding {
             line: EmbeddingLine::new(&content.statement),
             words: embedding_words::in_words(&content.statement),
@@ -231,11 +264,20 @@ impl Outcome {
                         "accepted: {input}: {words} (minimum separation distance, {convention} convention; curve {curve}…, {})\n",
                         leaves_in_words(*leaves),
                     ),
+                    StatementLine::Thickness { line, words } => format!(
+                        "accepted: {input}: {words} ({} convention; curve {curve}…, {})\n",
+                        line.convention,
+                        leaves_in_words(*leaves),
+                    ),
                     StatementLine::Embedding { words, .. } => format!(
                         "accepted: {input}: {words} (curve {curve}…, {})\n",
                         leaves_in_words(*leaves),
                     ),
-                    StatementLine::Domain { words, .. } => format!("accepted: {input}: {words} (curve {curve}…)\n"),
+                    StatementLine::Domain { words, .. }
+                    | StatementLine::Deviation { words, .. }
+                    | StatementLine::Curvature { words, .. } => {
+                        format!("accepted: {input}: {words} (curve {curve}…)\n")
+                    }
                 }
             }
             Outcome::Rejected {

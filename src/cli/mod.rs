@@ -4,11 +4,14 @@ mod bounds;
 #[cfg(feature = "prove")]
 mod certify;
 mod check;
+mod curvature_words;
+mod deviation_words;
 mod domain_words;
 mod embedding_words;
 mod failure;
 mod input;
 mod output;
+mod thickness_words;
 
 use std::process::ExitCode;
 

@@ -2,6 +2,8 @@
 
 mod cone;
 mod cover;
+pub mod curvature;
+pub mod deviation;
 pub mod domain;
 pub mod embedding;
 mod evidence;
@@ -14,6 +16,7 @@ pub mod msd;
 mod newton;
 mod node;
 mod seeds;
+pub mod thickness;
 mod tree;
 mod upper;
 mod vector;

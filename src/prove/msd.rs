@@ -65,7 +65,7 @@ pub struct Certified<'c> {
     pub leaves: u64,
     /// The parameters of the shortest double normal found, piece number and local parameter added.
     pub at: Option<[Rational; 2]>,
-    tree: SpooledTempFile,
+    pub(super) tree: SpooledTempFile,
 }
 
 /// Why no certificate was written.

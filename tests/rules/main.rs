@@ -51,6 +51,9 @@ verified!(
     separate,
     monotone,
     embedding,
+    curvature,
+    deviation,
+    thickness,
 );
 
 #[test]

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 use super::super::FormatError;
-use super::numbers::{Parsed, integer, rational, shortened};
+use super::numbers::{Parsed, integer, parameter, rational, shortened};
 use super::raw::{Object, Text};
 use super::read::parse_within;
 use super::write::string;
@@ -12,8 +12,6 @@ use crate::number::{Integer, Rational, RationalExt};
 
 /// The most points, cells and rows of a certificate together.
 const MOST_PARTS: usize = 1 << 22;
-/// The most bits in numerator and denominator of a parameter.
-const MOST_PARAMETER_BITS: u64 = 4096;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -186,16 +184,6 @@ pub fn read(statement_text: &str, evidence_text: &str, dimension: usize) -> Pars
         statement: Statement { domain, outcome },
         evidence,
     })
-}
-
-/// A parameter, short enough for powers of it.
-fn parameter(text: &Text, place: &str) -> Parsed<Rational> {
-    let value = rational(text, place)?;
-    if value.numer().bits().max(value.denom().bits()) > MOST_PARAMETER_BITS {
-        let what = format!("a parameter of more than {MOST_PARAMETER_BITS} bits");
-        return Err(FormatError::malformed(place, what));
-    }
-    Ok(value)
 }
 
 fn unexpected(place: &str, found: &Text, expected: &str) -> FormatError {

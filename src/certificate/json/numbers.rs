@@ -6,6 +6,9 @@ use crate::claim::tree::canonical_integer;
 use crate::curve::MAXIMUM_BITS;
 use crate::number::{Integer, Rational, RationalExt, RationalVector};
 
+/// The most bits in numerator and denominator of a parameter.
+const MOST_PARAMETER_BITS: u64 = 4096;
+
 pub type Parsed<T> = Result<T, FormatError>;
 
 pub fn rational(text: &Text, place: &str) -> Parsed<Rational> {
@@ -21,6 +24,25 @@ pub fn rational(text: &Text, place: &str) -> Parsed<Rational> {
     })?;
     if value.numer().bits() > MAXIMUM_BITS || value.denom().bits() > MAXIMUM_BITS {
         return Err(refuse(format!("a number of more than {MAXIMUM_BITS} bits")));
+    }
+    Ok(value)
+}
+
+/// A fraction that is not negative.
+pub fn not_negative(text: &Text, place: &str) -> Parsed<Rational> {
+    let value = rational(text, place)?;
+    if value.numer().is_negative() {
+        return Err(FormatError::malformed(place, "negative"));
+    }
+    Ok(value)
+}
+
+/// A parameter, short enough for powers of it.
+pub fn parameter(text: &Text, place: &str) -> Parsed<Rational> {
+    let value = rational(text, place)?;
+    if value.numer().bits().max(value.denom().bits()) > MOST_PARAMETER_BITS {
+        let what = format!("a parameter of more than {MOST_PARAMETER_BITS} bits");
+        return Err(FormatError::malformed(place, what));
     }
     Ok(value)
 }

@@ -4,7 +4,7 @@ use std::io::{self, Read, Write};
 
 use super::super::Document;
 use super::super::block::{self, hexadecimal};
-use super::{domain, embedding, msd};
+use super::{curvature, deviation, domain, embedding, msd, thickness};
 use crate::claim::{AsClaim, ClaimRef};
 use crate::curve::{Curve, Form};
 use crate::number::{RationalExt, RationalVector};
@@ -59,6 +59,24 @@ fn rest<C: AsClaim, R: Read, W: Write>(
             domain::write_statement(&content.statement, &mut text);
             text.push_str(between);
             domain::write_evidence(&content.evidence, &mut text);
+            out.write_all(text.as_bytes())?;
+        }
+        ClaimRef::Deviation(content) => {
+            text.push_str(&deviation::statement_text(&content.statement));
+            text.push_str(between);
+            text.push_str(&deviation::evidence_text(&content.evidence));
+            out.write_all(text.as_bytes())?;
+        }
+        ClaimRef::Thickness(content) => {
+            text.push_str(&thickness::statement_text(&content.statement));
+            text.push_str(between);
+            out.write_all(text.as_bytes())?;
+            thickness::write_evidence(&content.evidence, document.curve.dimension(), tree, out)?;
+        }
+        ClaimRef::Curvature(content) => {
+            text.push_str(&curvature::statement_text(&content.statement));
+            text.push_str(between);
+            text.push_str(&curvature::evidence_text(&content.evidence));
             out.write_all(text.as_bytes())?;
         }
     }

@@ -4,8 +4,8 @@
 
 use super::change::show_ball;
 use super::combination::combine;
-use super::polynomial::Bound;
 use super::{Checked, Context, fails};
+use crate::check::polynomial::Bound;
 use crate::claim::domain::Evidence;
 use crate::number::{Integer, Rational, RationalExt};
 
@@ -50,7 +50,7 @@ pub fn check(context: &Context, evidence: &Evidence, [lower, upper]: [&Rational;
                 format!("a longer one of row {i}"),
             );
         }
-        total = total + multiplier * length;
+        total += multiplier * length;
     }
     if total == zero {
         return fails("a positive sum of multipliers times lengths", "0");

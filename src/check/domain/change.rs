@@ -1,9 +1,9 @@
 //! Outcome `change`: how far a position in K is from where the sign is no longer kept.
 
 use super::nearest::squared_distance;
-use super::polynomial::{self, Bound, NotShown, scaled_product, unscaled};
 use super::sign::Section;
 use super::{Checked, Context, fails};
+use crate::check::polynomial::{self, Bound, NotShown, scaled_product, unscaled};
 use crate::claim::domain::Row;
 use crate::number::{Integer, Rational, RationalExt, RationalVector};
 

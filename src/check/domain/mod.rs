@@ -5,19 +5,18 @@ mod change;
 mod combination;
 mod fair;
 mod nearest;
-pub mod polynomial;
 mod sandwich;
 pub mod sign;
 pub mod star;
 
 pub use fair::fair_point;
 
+use super::polynomial::{self, Bound, NotShown};
 use super::rule::Failure;
 use super::{Place, Reason, Rejection};
 use crate::claim::domain::{Content, Domain, Evidence, Outcome, Row};
 use crate::curve::Curve;
 use crate::number::{Integer, Rational, RationalExt, RationalVector};
-use polynomial::{Bound, NotShown};
 use sign::{Affine, DomainError, Section};
 
 /// What the obligations are about: the set K ∩ B.

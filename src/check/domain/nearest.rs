@@ -4,8 +4,8 @@
 //! ≥ |z−y|² − 2 Σ λ_i row_i(z).
 
 use super::combination::combine;
-use super::polynomial::Bound;
 use super::{Checked, Context, fails, fair_point};
+use crate::check::polynomial::Bound;
 use crate::claim::domain::{Evidence, Target};
 use crate::curve::Curve;
 use crate::number::{Integer, Rational, RationalExt};

@@ -1,8 +1,8 @@
 //! Outcome `sandwich`: a polytope in K ∩ B and one around it.
 
-use super::polynomial::Bound;
 use super::star::{StarError, measure};
 use super::{Checked, Context, fails};
+use crate::check::polynomial::Bound;
 use crate::claim::domain::{Evidence, Star};
 use crate::number::{Integer, Rational, RationalExt};
 

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::polynomial::unscaled;
 use crate::check::blossom::interval_values;
+use crate::check::polynomial::unscaled;
 use crate::claim::domain::{Domain, Sign};
 use crate::curve::{BSpline, Bezier, Curve, Form};
 use crate::number::{Integer, Rational};
@@ -440,7 +440,7 @@ impl Section {
             // At the open end itself the row is the value of g.
             if !factor.numer().is_zero() {
                 for _ in 0..self.removed[end] {
-                    scale = scale * factor;
+                    scale *= factor;
                 }
             }
         }

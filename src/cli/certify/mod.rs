@@ -1,12 +1,15 @@
 //! `knotproof certify`: proves a claim about a curve.
 
 mod atomic_file;
+mod curvature;
+mod deviation;
 mod domain;
 mod embedding;
 mod msd;
 mod output_file;
 mod progress;
 mod report;
+mod thickness;
 
 use clap::{Args, Subcommand};
 
@@ -24,7 +27,10 @@ pub struct Arguments {
 enum Claim {
     Msd(Box<msd::Arguments>),
     Domain(Box<domain::Arguments>),
+    Curvature(curvature::Arguments),
+    Deviation(deviation::Arguments),
     Embedding(Box<embedding::Arguments>),
+    Thickness(thickness::Arguments),
 }
 
 /// Runs the subcommand.
@@ -32,6 +38,9 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     match arguments.claim {
         Claim::Msd(arguments) => msd::run(*arguments),
         Claim::Domain(arguments) => domain::run(&arguments),
+        Claim::Curvature(arguments) => curvature::run(&arguments),
+        Claim::Deviation(arguments) => deviation::run(&arguments),
         Claim::Embedding(arguments) => embedding::run(*arguments),
+        Claim::Thickness(arguments) => thickness::run(&arguments),
     }
 }

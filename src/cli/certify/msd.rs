@@ -62,12 +62,15 @@ enum ConventionName {
 
 /// A relative width, with the text that gave it.
 #[derive(Clone)]
-struct Width {
-    text: String,
-    value: Rational,
+pub struct Width {
+    /// As it was written.
+    pub text: String,
+    /// From 1e-30 to 1e-1.
+    pub value: Rational,
 }
 
-fn parse_width(text: &str) -> Result<Width, String> {
+/// Reads a relative width.
+pub fn parse_width(text: &str) -> Result<Width, String> {
     let power = |exponent| Rational::new(Integer::ONE, Integer::from(10).pow(exponent));
     let value = parse_number(text, Meaning::Decimal).map_err(|error| error.to_string())?;
     if value < power(30) || value > power(1) {

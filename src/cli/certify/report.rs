@@ -224,7 +224,7 @@ fn end(chain: &Chain, parameter: &Rational) -> Option<End> {
 }
 
 /// A parameter for people, to the nearest decimal.
-fn parameter(x: &Rational) -> String {
+pub fn parameter(x: &Rational) -> String {
     let nearest = format!("{:.*e}", PARAMETER_DIGITS - 1, x.to_f64());
     // Beyond binary64 there is no nearest one.
     let nearest = parse_number(&nearest, Meaning::Decimal);

@@ -7,7 +7,7 @@
 use num_traits::Zero;
 
 use crate::check::domain::Context;
-use crate::check::domain::polynomial::{Bound, NotShown};
+use crate::check::polynomial::{Bound, NotShown};
 use crate::claim::domain::{Evidence, Row};
 use crate::number::{Integer, Rational, RationalExt, RationalVector};
 use crate::prove::linear_program::{self, FloatSolver, Solution, maximise};

@@ -5,7 +5,7 @@ use std::time::Instant;
 use num_traits::Zero;
 
 use crate::check::domain::Context;
-use crate::check::domain::polynomial::halves;
+use crate::check::polynomial::halves;
 use crate::number::{Integer, Rational};
 use crate::polytope::{HalfSpace, Intersection, Polytope, intersect};
 

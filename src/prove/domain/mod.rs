@@ -14,6 +14,7 @@ use super::linear_program::FloatSolver;
 use crate::certificate::{Document, Encoding, write};
 use crate::check::domain::Context;
 use crate::check::{Verdict, check};
+use crate::claim::AsClaim;
 use crate::claim::domain::{Content, Outcome, Statement};
 use crate::curve::Curve;
 use crate::number::{Rational, RationalExt};
@@ -87,27 +88,33 @@ impl From<io::Error> for CertifyError {
 ///
 /// # Errors
 /// [`CertifyError::Refuted`] when the checker does not accept the file, which must then be thrown away.
-pub fn write_checked<F: Read + Write + Seek>(
-    document: &Document<Content>,
+pub fn write_checked<C: AsClaim, F: Read + Write + Seek>(
+    document: &Document<C>,
+    encoding: Encoding,
+    file: &mut F,
+) -> Result<(), CertifyError> {
+    write_with_tree(document, io::empty(), encoding, file)
+}
+
+/// The same with a tree, as its tokens in their binary spelling.
+///
+/// # Errors
+/// As those of [`write_checked`].
+pub(super) fn write_with_tree<C: AsClaim, F: Read + Write + Seek>(
+    document: &Document<C>,
+    tree: impl Read,
     encoding: Encoding,
     file: &mut F,
 ) -> Result<(), CertifyError> {
     {
         let mut out = io::BufWriter::with_capacity(1 << 16, &mut *file);
-        write(document, io::empty(), encoding, &mut out)?;
+        write(document, tree, encoding, &mut out)?;
         out.flush()?;
     }
     file.seek(SeekFrom::Start(0))?;
     match check(&mut *file) {
-        Verdict::Accepted { document: read, .. }
-            if read
-                .claim
-                .domain()
-                .is_some_and(|content| content.statement == document.claim.statement) =>
-        {
-            Ok(())
-        }
-        Verdict::Accepted { .. } => Err(CertifyError::Refuted("another statement was read back".into())),
+        Verdict::Accepted { document: read, .. } if read.claim.as_claim() == document.claim.as_claim() => Ok(()),
+        Verdict::Accepted { .. } => Err(CertifyError::Refuted("another claim was read back".into())),
         Verdict::Malformed(error) => Err(CertifyError::Refuted(error.to_string())),
         Verdict::Rejected { rejection, .. } => Err(CertifyError::Refuted(rejection.to_string())),
     }

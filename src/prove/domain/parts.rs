@@ -3,7 +3,7 @@
 use smallvec::SmallVec;
 
 use crate::check::domain::Context;
-use crate::check::domain::polynomial::halves;
+use crate::check::polynomial::halves;
 use crate::number::{Integer, Rational, RationalExt};
 
 type Coefficients = SmallVec<[f64; 16]>;

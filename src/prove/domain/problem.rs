@@ -3,8 +3,8 @@
 use std::fmt;
 
 use crate::check::domain::Context;
-use crate::check::domain::polynomial::Bound;
 use crate::check::domain::sign::{DomainError, sections};
+use crate::check::polynomial::Bound;
 use crate::claim::domain::{Box, Domain, Sign};
 use crate::curve::{BSpline, Chain, Curve, Form};
 use crate::number::{Rational, RationalExt, RationalVector};

@@ -11,8 +11,8 @@ use num_traits::Signed;
 
 use super::parts::{Hit, Parts};
 use crate::check::domain::Context;
-use crate::check::domain::polynomial::Bound;
 use crate::check::domain::star::measure;
+use crate::check::polynomial::Bound;
 use crate::claim::domain::{Evidence, Row, Star};
 use crate::number::{Integer, Rational, RationalExt, RationalVector};
 use crate::polytope::{Clip, HalfSpace, Polytope, hull2, hull3};
@@ -325,7 +325,7 @@ impl<'a, const D: usize> Search<'a, D> {
         let rays = self.rays();
         let rounding = (self.tolerance * ROUNDING / D as f64).max(FINEST_ROUNDING);
         let nearest = self.inradius(&rays);
-        if !(nearest > 0.0) {
+        if nearest.is_nan() || nearest <= 0.0 {
             return Err("the center is on the boundary".into());
         }
         let mut bits = -(rounding * nearest / 4.0).log2().floor() as i64;

@@ -8,7 +8,9 @@ pub mod cone;
 pub mod critical_interval;
 pub mod critical_root;
 pub mod crossing;
+pub mod curvature;
 pub mod curve;
+pub mod deviation;
 pub mod domain;
 pub mod embedding;
 pub mod empty;
@@ -23,6 +25,7 @@ pub mod sandwich;
 pub mod separate;
 pub mod statement;
 pub mod text;
+pub mod thickness;
 pub mod touch;
 pub mod tree;
 
@@ -60,6 +63,9 @@ pub fn all() -> Vec<(&'static str, fn() -> Vec<Case>)> {
         ("separate", separate::cases),
         ("monotone", monotone::cases),
         ("embedding", embedding::cases),
+        ("curvature", curvature::cases),
+        ("deviation", deviation::cases),
+        ("thickness", thickness::cases),
     ]
 }
 

@@ -1,8 +1,8 @@
 //! Distances to the planes h_t = 0: where is the nearest one?
 
 use crate::check::domain::Context;
-use crate::check::domain::polynomial::{self, Bound, NotShown, scaled_product, unscaled};
 use crate::check::domain::sign::Section;
+use crate::check::polynomial::{self, Bound, NotShown, scaled_product, unscaled};
 use crate::number::{Integer, Rational, RationalExt, RationalVector};
 
 /// Samples of a section for each coefficient.

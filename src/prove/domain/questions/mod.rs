@@ -8,7 +8,7 @@ mod change;
 mod distance;
 mod nearest;
 mod projection;
-mod rounding;
+pub(crate) mod rounding;
 #[cfg(test)]
 mod tests;
 

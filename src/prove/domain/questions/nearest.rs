@@ -7,7 +7,7 @@ use super::projection::Projection;
 use super::rounding::{bits_for, difference, down, length, offset, up};
 use super::{AnswerError, Finding, close, rows_at, sides};
 use crate::check::domain::Context;
-use crate::check::domain::polynomial::Bound;
+use crate::check::polynomial::Bound;
 use crate::claim::domain::{Evidence, Outcome, Row, Target};
 use crate::number::{Integer, Rational, RationalExt, RationalVector};
 use crate::prove::domain::Options;

@@ -90,17 +90,27 @@ pub fn show(coefficients: Vec<Integer>, bound: Bound) -> Result<(), NotShown> {
     Ok(())
 }
 
-/// The product, times the binomials of its own degree: Σ C(m,i) C(n,j) a_i b_j for every i + j.
-pub fn scaled_product(a: &[Integer], b: &[Integer]) -> Vec<Integer> {
-    let binomial = |n: usize, k: usize| Integer::binomial(n as u32, k as u32);
+/// Coefficients times the binomials of the degree, so that products are convolutions.
+pub fn scaled(coefficients: &[Integer]) -> Vec<Integer> {
+    let degree = (coefficients.len() - 1) as u32;
+    let factors = (0..=degree).map(|k| Integer::binomial(degree, k));
+    factors.zip(coefficients).map(|(binomial, x)| binomial * x).collect()
+}
+
+/// The product of polynomials, all given by their coefficients times binomials.
+pub fn convolution(a: &[Integer], b: &[Integer]) -> Vec<Integer> {
     let mut product = vec![Integer::ZERO; a.len() + b.len() - 1];
-    for (i, x) in a.iter().enumerate() {
-        let x = binomial(a.len() - 1, i) * x;
+    for (i, x) in a.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
         for (j, y) in b.iter().enumerate() {
-            product[i + j] += &x * &(binomial(b.len() - 1, j) * y);
+            product[i + j] += x * y;
         }
     }
     product
+}
+
+/// The product, times the binomials of its own degree: Σ C(m,i) C(n,j) a_i b_j for every i + j.
+pub fn scaled_product(a: &[Integer], b: &[Integer]) -> Vec<Integer> {
+    convolution(&scaled(a), &scaled(b))
 }
 
 /// From coefficients times the binomials of the degree to coefficients times one positive integer, which is returned too.
