@@ -8,6 +8,9 @@ mod atomic;
 mod certify;
 #[path = "cli/check.rs"]
 mod check;
+#[cfg(feature = "prove")]
+#[path = "cli/curvature.rs"]
+mod curvature;
 #[path = "cli/help.rs"]
 mod help;
 #[path = "cli/run.rs"]
