@@ -94,8 +94,8 @@ class Thickness(Checks):
 
     def test_parts(self):
         c = self.line("inf")
-        c["evidence"]["msd"]["evidence"]["tree"][-1] = "bend 1 0"
-        self.reject(c, "token 6")
+        c["evidence"]["msd"]["evidence"]["tree"][3] = "not_normal 1 0"
+        self.reject(c, "token 3")
         c = self.line("inf")
         c["statement"]["convention"] = "smooth"
         self.reject(c, "'critical' for an open curve")
