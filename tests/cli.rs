@@ -11,6 +11,12 @@ mod check;
 #[cfg(feature = "prove")]
 #[path = "cli/curvature.rs"]
 mod curvature;
+#[cfg(feature = "prove")]
+#[path = "cli/deviation.rs"]
+mod deviation;
+#[cfg(feature = "prove")]
+#[path = "cli/domain.rs"]
+mod domain;
 #[path = "cli/help.rs"]
 mod help;
 #[path = "cli/run.rs"]

@@ -114,6 +114,9 @@ fn every_rule_is_on_both_sides() {
         "ball",
         "curvature",
         "thickness",
+        "separate",
+        "monotone",
+        "embedding",
     ] {
         for verdict in ["accept", "reject"] {
             assert!(!files(&certs().join(verdict).join(rule)).is_empty(), "{verdict}/{rule}");
@@ -126,10 +129,14 @@ mod proved {
     use std::io::Cursor;
     use std::path::Path;
 
-    use knotproof::certificate::Encoding;
+    use knotproof::certificate::{Document, Encoding};
+    use knotproof::claim::domain::{Content, Sign};
     use knotproof::claim::msd::{Convention, Lower};
     use knotproof::curve::{Bezier, Curve, Form, read_curve};
     use knotproof::number::{Integer, Rational, RationalVector};
+    use knotproof::prove::domain;
+    use knotproof::prove::domain::questions::{About, answer};
+    use knotproof::prove::linear_program::GoodLp;
     use knotproof::prove::msd::{Certified, Options, certify};
 
     use super::chains;
@@ -176,6 +183,64 @@ mod proved {
         Curve::new(3, Form::Bezier(pieces.collect())).expect("a curve")
     }
 
+    /// Domains of control points, and answers to questions about them.
+    fn write_domains() {
+        for (name, point, sign) in [
+            ("domain-cubic", 1, None),
+            ("domain-quintic-bounded", 2, Some(Sign::Positive)),
+            ("domain-quintic-many-vertices", 2, Some(Sign::Positive)),
+            ("domain-quintic-late", 2, Some(Sign::Positive)),
+            ("domain-quintic-empty", 2, Some(Sign::Positive)),
+            ("domain-quintic-spatial", 2, None),
+            ("domain-nurbs-arc", 2, None),
+            ("domain-spiral-12", 6, None),
+            ("domain-helix-nurbs", 4, None),
+        ] {
+            let path = certs().join("curves").join(format!("{name}.json"));
+            let curve = read_curve(std::fs::read(path).expect(name)).expect(name).curve;
+            let question = domain::Question {
+                point,
+                sign,
+                interval: None,
+                bounds: domain::Bounds::Edge(Rational::from_integer(20.into())),
+            };
+            let problem = domain::Problem::new(&curve, &question).expect(name);
+            let options = |digits| domain::Options {
+                tolerance: tenth_to_the(digits),
+                budget: 2000,
+                name: Some(name.into()),
+                snapped_joints: None,
+                solver: &GoodLp,
+            };
+            let found = domain::certify(&curve, &problem, &options(3)).document.expect(name);
+            write_domain(&found, Encoding::Json, name);
+            write_domain(&found, Encoding::Binary, name);
+            let target = problem
+                .position
+                .iter()
+                .map(|x| x + Rational::from_integer(7.into()))
+                .collect();
+            for (kind, about) in [
+                ("nearest", About::Nearest(target)),
+                ("fair", About::Fair),
+                ("change", About::Change),
+                ("ball", About::Ball),
+            ] {
+                if let Ok(found) = answer(&curve, &problem, &about, &options(9)) {
+                    write_domain(&found.document, Encoding::Json, &format!("{name}-{kind}"));
+                }
+            }
+        }
+    }
+
+    fn write_domain(document: &Document<Content>, encoding: Encoding, name: &str) {
+        let mut file = Cursor::new(Vec::new());
+        domain::write_checked(document, encoding, &mut file).expect(name);
+        let extension = if encoding == Encoding::Json { "json" } else { "cert" };
+        let folder = certs().join("accept/proved");
+        std::fs::write(folder.join(format!("{name}.{extension}")), file.into_inner()).expect("writes");
+    }
+
     /// The certificates of the example curves.
     pub fn write_all() {
         for path in super::files(&certs().join("curves")) {
@@ -220,6 +285,7 @@ mod proved {
             200_000,
         );
         write(&mut trace, Encoding::Binary, "trace-200");
+        write_domains();
     }
 }
 

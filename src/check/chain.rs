@@ -476,10 +476,10 @@ impl<W: Word> Storage<W> {
 }
 
 /// The terms (i, j, factor) of one coefficient of D.
-type Terms = Vec<(usize, usize, Integer)>;
+pub(super) type Terms = Vec<(usize, usize, Integer)>;
 
 /// For degree n: the factors (k−2i+1)·C(n,i)·C(n,k−i+1)·L/C(2n−2,k), listed by k and then i, and L = lcm of the C(2n−2,k).
-fn rational_field_factors(degree: usize) -> (Vec<Terms>, Integer) {
+pub(super) fn rational_field_factors(degree: usize) -> (Vec<Terms>, Integer) {
     let n = degree as u32;
     let top = 2 * n - 2;
     let multiple = (0..=top).fold(Integer::from(1), |lcm, k| lcm.lcm(&Integer::binomial(top, k)));

@@ -1,10 +1,10 @@
-//! Replaying a cover tree (FORMAT §5): one pass over the tokens, holding one path of nodes.
+//! Replaying a cover tree (FORMAT §5): one pass over the tokens, holding one path of nodes. What a leaf has to satisfy is the claim's matter.
 
 use super::boxes::Boxes;
 use super::chain::{Chain, ScaleRef};
 use super::element::{Element, Elements, Node};
 use super::part::Geometry;
-use super::rule::{Failure, Outcome, bend, cone, far, not_normal};
+use super::rule::{Failure, Outcome, bend, cone, far, monotone, not_normal, separate};
 use super::word::widening;
 use super::{Place, Reason, Rejection};
 use crate::claim::msd::{Convention, Lower};
@@ -40,19 +40,9 @@ impl<'c> Context<'c> {
         ScaleRef::power_of_two(self.grid)
     }
 
-    /// Does a leaf's obligation hold for the pair (A, B), or (A, A) when `b` is `None`?
+    /// Does a leaf's obligation in the claim `msd` hold for the pair (A, B), or (A, A) when `b` is `None`?
     pub fn obligation(&self, a: &Node<'c>, b: Option<&Node<'c>>, leaf: &Leaf, lower: &Lower) -> Outcome {
-        let bits = if [Some(a), b].into_iter().flatten().any(|node| wide(node, &self.boxes)) {
-            64
-        } else {
-            0
-        };
-        let fails = |expected, found: &str| {
-            Err(Failure {
-                expected,
-                found: found.into(),
-            })
-        };
+        let bits = self.bits(a, b);
         match (leaf, b) {
             (Leaf::Far(_), None) => fails("two different nodes", "one"),
             (Leaf::Far(n), Some(b)) => match lower {
@@ -70,7 +60,26 @@ impl<'c> Context<'c> {
             (Leaf::Bend(_), b) if a.is_run() || b.is_some_and(Node::is_run) => fails("parts, corners or ends", "a run"),
             (Leaf::Cone(n), b) => widening!(bits, W => cone::check::<W>(self, a, b, n)),
             (Leaf::Bend(factors), b) => widening!(bits, W => bend::check::<W>(self, a, b, factors)),
+            (Leaf::Separate(_) | Leaf::Monotone(_), _) => fails("a rule of the claim msd", leaf.rule()),
         }
+    }
+
+    /// Does a leaf's obligation in the claim `embedding` hold for the pair (A, B), or (A, A) when `b` is `None`?
+    pub fn apart(&self, a: &Node<'c>, b: Option<&Node<'c>>, leaf: &Leaf) -> Outcome {
+        let bits = self.bits(a, b);
+        match (leaf, b) {
+            (Leaf::Separate(_), None) => fails("two different nodes", "one"),
+            (Leaf::Separate(n), Some(b)) => widening!(bits, W => separate::check::<W>(self, a, b, n)),
+            (Leaf::Monotone(_), Some(b)) if !self.adjacent(a, b) => fails("adjacent nodes", "nodes apart"),
+            (Leaf::Monotone(n), b) => widening!(bits, W => monotone::check::<W>(self, a, b, n)),
+            _ => fails("a rule of the claim embedding", leaf.rule()),
+        }
+    }
+
+    /// The bits to begin with.
+    fn bits(&self, a: &Node<'c>, b: Option<&Node<'c>>) -> u32 {
+        let wide = [Some(a), b].into_iter().flatten().any(|node| wide(node, &self.boxes));
+        if wide { 64 } else { 0 }
     }
 
     /// Do two different nodes, `a` before `b`, share an end parameter?
@@ -87,6 +96,13 @@ impl<'c> Context<'c> {
     }
 }
 
+fn fails(expected: &'static str, found: &str) -> Outcome {
+    Err(Failure {
+        expected,
+        found: found.into(),
+    })
+}
+
 /// Does a node certainly need more than 64 bits?
 fn wide(node: &Node, boxes: &Boxes) -> bool {
     match node {
@@ -97,11 +113,15 @@ fn wide(node: &Node, boxes: &Boxes) -> bool {
     }
 }
 
-/// Replays the tokens of `source` against the pair (whole, whole); returns the number of leaves.
-pub fn replay<S: TokenSource>(context: &Context, lower: &Lower, source: &mut S) -> Result<u64, Box<Rejection>> {
+/// Replays the tokens of `source` against the pair (whole, whole), with `judge` for its leaves; returns their number.
+pub fn replay<'c, S, J>(context: &Context<'c>, judge: J, source: &mut S) -> Result<u64, Box<Rejection>>
+where
+    S: TokenSource,
+    J: FnMut(&Node<'c>, Option<&Node<'c>>, &Leaf) -> Outcome,
+{
     let mut replay = Replay {
         context,
-        lower,
+        judge,
         source,
         token: 0,
         tokens: 0,
@@ -125,9 +145,9 @@ pub fn replay<S: TokenSource>(context: &Context, lower: &Lower, source: &mut S) 
     }
 }
 
-struct Replay<'r, 'c, S> {
+struct Replay<'r, 'c, S, J> {
     context: &'r Context<'c>,
-    lower: &'r Lower,
+    judge: J,
     source: &'r mut S,
     /// Number of the token that is being worked on.
     token: u64,
@@ -136,7 +156,11 @@ struct Replay<'r, 'c, S> {
     leaves: u64,
 }
 
-impl<'c, S: TokenSource> Replay<'_, 'c, S> {
+impl<'c, S, J> Replay<'_, 'c, S, J>
+where
+    S: TokenSource,
+    J: FnMut(&Node<'c>, Option<&Node<'c>>, &Leaf) -> Outcome,
+{
     /// Replays the pair (A, B), or (A, A) when `b` is `None`. The recursion is at most as deep as two paths of halvings.
     fn pair(&mut self, a: &Node<'c>, b: Option<&Node<'c>>) -> Result<(), Box<Rejection>> {
         if b.is_none() && a.is_point() {
@@ -152,7 +176,7 @@ impl<'c, S: TokenSource> Replay<'_, 'c, S> {
         match (&token, b) {
             (Token::Leaf(leaf), _) => {
                 self.leaves += 1;
-                self.context.obligation(a, b, leaf, self.lower).map_err(|failure| {
+                (self.judge)(a, b, leaf).map_err(|failure| {
                     self.rejection(
                         a,
                         b,

@@ -88,7 +88,7 @@ pub fn corner_pieces(chain: &Chain, joint: usize) -> (usize, usize) {
 }
 
 /// A parameter of the chain: `piece + numerator/2^depth`, with an odd numerator or numerator 0 and depth 0.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Parameter {
     /// Integer part.
     pub piece: usize,

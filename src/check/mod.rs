@@ -7,8 +7,10 @@ pub mod boxes;
 pub mod chain;
 pub mod cover;
 pub mod curvature;
+pub mod deviation;
 pub mod domain;
 pub mod element;
+pub mod embedding;
 pub mod hull;
 mod msd;
 pub mod part;
@@ -95,6 +97,18 @@ pub enum Reason {
     TokensLeft,
     /// A token that cannot be read.
     Token(String),
+    /// Another number of edges than the tree's.
+    Edges {
+        /// As stated.
+        stated: u64,
+        /// Of the polygon inscribed at the end points of the leaves.
+        found: u64,
+    },
+    /// A perturbation radius beyond the one that the tree proves.
+    Radius {
+        /// Which of the two.
+        norm: &'static str,
+    },
     /// Moving points, an interval or a box that the curve does not have.
     Domain(DomainError),
 }
@@ -138,6 +152,13 @@ impl fmt::Display for Reason {
             Reason::TokensMissing => f.write_str("the tokens end before the tree does"),
             Reason::TokensLeft => f.write_str("tokens left over when the tree is complete"),
             Reason::Token(what) => f.write_str(what),
+            Reason::Edges { stated, found } => write!(f, "expected {found} edges, found {stated}"),
+            Reason::Radius { norm } => {
+                write!(
+                    f,
+                    "perturbation_radius.{norm}: expected at most the least margin of the leaves, found more"
+                )
+            }
             Reason::Domain(error) => error.fmt(f),
         }
     }
@@ -181,8 +202,12 @@ pub fn check<R: Read>(source: R) -> Verdict {
     let document = Box::new(document);
     let outcome = match &document.claim {
         Claim::Msd(content) => check_msd(&document.curve, content, &mut tokens),
+        Claim::Embedding(content) => embedding::check_embedding(&document.curve, content, &mut tokens),
         Claim::Domain(content) => no_tokens(&mut tokens)
             .and_then(|()| domain::check_domain(&document.curve, content))
+            .map(|()| 0),
+        Claim::Deviation(content) => no_tokens(&mut tokens)
+            .and_then(|()| deviation::check_deviation(&document.curve, content))
             .map(|()| 0),
         Claim::Thickness(content) => check_thickness(&document.curve, content, &mut tokens),
         Claim::Curvature(content) => no_tokens(&mut tokens)

@@ -11,7 +11,7 @@ use crate::curve::Curve;
 use crate::number::Rational;
 
 /// The largest grid exponent.
-const MAX_GRID: u32 = 100_000;
+pub const MAX_GRID: u32 = 100_000;
 
 /// Checks statement and evidence about a curve, and the tree's tokens; returns the number of leaves.
 pub fn check_msd<S: TokenSource>(curve: &Curve, content: &Content, tokens: &mut S) -> Result<u64, Rejection> {
@@ -28,7 +28,8 @@ pub fn check_msd<S: TokenSource>(curve: &Curve, content: &Content, tokens: &mut 
         return no_tokens(tokens).map(|()| 0);
     }
     let context = Context::new(&chain, statement.convention, content.evidence.grid);
-    replay(&context, &statement.lower_squared, tokens).map_err(|rejection| *rejection)
+    let lower = &statement.lower_squared;
+    replay(&context, |a, b, leaf| context.obligation(a, b, leaf, lower), tokens).map_err(|rejection| *rejection)
 }
 
 fn consistent(content: &Content) -> Result<(), Rejection> {

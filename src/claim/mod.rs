@@ -1,7 +1,9 @@
 //! Claims: statements and their evidence, as plain data. Nothing here computes.
 
 pub mod curvature;
+pub mod deviation;
 pub mod domain;
+pub mod embedding;
 pub mod msd;
 pub mod thickness;
 pub mod tree;
@@ -15,6 +17,10 @@ pub enum Claim {
     Domain(domain::Content),
     /// The greatest curvature.
     Curvature(curvature::Content),
+    /// The distance from the control polygon.
+    Deviation(deviation::Content),
+    /// The curve is embedded.
+    Embedding(embedding::Content),
     /// The thickness.
     Thickness(thickness::Content),
 }
@@ -28,6 +34,10 @@ pub enum ClaimRef<'a> {
     Domain(&'a domain::Content),
     /// The greatest curvature.
     Curvature(&'a curvature::Content),
+    /// The distance from the control polygon.
+    Deviation(&'a deviation::Content),
+    /// The curve is embedded.
+    Embedding(&'a embedding::Content),
     /// The thickness.
     Thickness(&'a thickness::Content),
 }
@@ -44,6 +54,8 @@ impl AsClaim for Claim {
             Claim::Msd(content) => ClaimRef::Msd(content),
             Claim::Domain(content) => ClaimRef::Domain(content),
             Claim::Curvature(content) => ClaimRef::Curvature(content),
+            Claim::Deviation(content) => ClaimRef::Deviation(content),
+            Claim::Embedding(content) => ClaimRef::Embedding(content),
             Claim::Thickness(content) => ClaimRef::Thickness(content),
         }
     }
@@ -61,9 +73,21 @@ impl AsClaim for domain::Content {
     }
 }
 
+impl AsClaim for deviation::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Deviation(self)
+    }
+}
+
 impl AsClaim for curvature::Content {
     fn as_claim(&self) -> ClaimRef<'_> {
         ClaimRef::Curvature(self)
+    }
+}
+
+impl AsClaim for embedding::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Embedding(self)
     }
 }
 
@@ -90,10 +114,26 @@ impl Claim {
         }
     }
 
+    /// The content of the claim `deviation`, if it is that.
+    pub fn deviation(&self) -> Option<&deviation::Content> {
+        match self {
+            Claim::Deviation(content) => Some(content),
+            _ => None,
+        }
+    }
+
     /// The content of the claim `curvature`, if it is that.
     pub fn curvature(&self) -> Option<&curvature::Content> {
         match self {
             Claim::Curvature(content) => Some(content),
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `embedding`, if it is that.
+    pub fn embedding(&self) -> Option<&embedding::Content> {
+        match self {
+            Claim::Embedding(content) => Some(content),
             _ => None,
         }
     }

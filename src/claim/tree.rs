@@ -18,6 +18,10 @@ pub enum Leaf {
     Cone([Integer; 3]),
     /// `bend α β`.
     Bend([Integer; 2]),
+    /// `separate n`.
+    Separate([Integer; 3]),
+    /// `monotone n`.
+    Monotone([Integer; 3]),
 }
 
 impl Leaf {
@@ -28,13 +32,15 @@ impl Leaf {
             Leaf::NotNormal(_) => "not_normal",
             Leaf::Cone(_) => "cone",
             Leaf::Bend(_) => "bend",
+            Leaf::Separate(_) => "separate",
+            Leaf::Monotone(_) => "monotone",
         }
     }
 
     /// Its integers, in a space of the given dimension.
     pub fn integers(&self, dimension: usize) -> &[Integer] {
         match self {
-            Leaf::Far(n) | Leaf::Cone(n) => &n[..dimension],
+            Leaf::Far(n) | Leaf::Cone(n) | Leaf::Separate(n) | Leaf::Monotone(n) => &n[..dimension],
             Leaf::NotNormal(factors) | Leaf::Bend(factors) => factors,
         }
     }
@@ -161,9 +167,15 @@ impl<R: ByteRead> TokenSource for BinaryTokens<R> {
             0x04 => Token::Leaf(Leaf::NotNormal(self.factors()?)),
             0x05 => Token::Leaf(Leaf::Cone(self.vector()?)),
             0x06 => Token::Leaf(Leaf::Bend(self.factors()?)),
+            0x07 => Token::Leaf(Leaf::Separate(self.vector()?)),
+            0x08 => Token::Leaf(Leaf::Monotone(self.vector()?)),
             code if (0x10..0x10 + axes).contains(&code) => {
                 let code = code - 0x10;
                 Token::Leaf(Leaf::Far(unit_vector(usize::from(code / 2), code & 1 == 1)))
+            }
+            code if (0x30..0x30 + axes).contains(&code) => {
+                let code = code - 0x30;
+                Token::Leaf(Leaf::Separate(unit_vector(usize::from(code / 2), code & 1 == 1)))
             }
             code @ 0x20..=0x23 => Token::Leaf(Leaf::NotNormal(unit_factors(code - 0x20))),
             code => return Err(TokenError::Malformed(format!("byte {code:#04x}"))),
@@ -190,6 +202,11 @@ pub fn write_token(token: &Token, dimension: usize, out: &mut Vec<u8>) {
         },
         Leaf::Cone(_) => 0x05,
         Leaf::Bend(_) => 0x06,
+        Leaf::Separate(n) => match unit_code(&n[..dimension]) {
+            Some(code) => return out.push(0x30 + code),
+            None => 0x07,
+        },
+        Leaf::Monotone(_) => 0x08,
     };
     out.push(code);
     for integer in leaf.integers(dimension) {
@@ -238,7 +255,7 @@ pub fn parse_token(text: &str, dimension: usize) -> Result<Token, TokenError> {
         .collect::<Result<_, _>>()?;
     let count = match rule {
         "split" | "first" | "second" => 0,
-        "far" | "cone" => dimension,
+        "far" | "cone" | "separate" | "monotone" => dimension,
         "not_normal" | "bend" => 2,
         _ => return Err(malformed()),
     };
@@ -254,6 +271,8 @@ pub fn parse_token(text: &str, dimension: usize) -> Result<Token, TokenError> {
         "far" => Token::Leaf(Leaf::Far(vector())),
         "cone" => Token::Leaf(Leaf::Cone(vector())),
         "not_normal" => Token::Leaf(Leaf::NotNormal(factors())),
+        "separate" => Token::Leaf(Leaf::Separate(vector())),
+        "monotone" => Token::Leaf(Leaf::Monotone(vector())),
         _ => Token::Leaf(Leaf::Bend(factors())),
     })
 }
@@ -453,7 +472,7 @@ mod tests {
         }
 
         #[test]
-        fn tokens_round_trip(kind in 0..7u8, a: i64, b in -3i64..3, c in -100i64..100, planar: bool) {
+        fn tokens_round_trip(kind in 0..9u8, a: i64, b in -3i64..3, c in -100i64..100, planar: bool) {
             let dimension = if planar { 2 } else { 3 };
             let vector = [a.into(), b.into(), if planar { 0.into() } else { c.into() }];
             let factors = [Integer::from(b), Integer::from(c)];
@@ -464,6 +483,8 @@ mod tests {
                 3 => Token::Leaf(Leaf::Far(vector)),
                 4 => Token::Leaf(Leaf::NotNormal(factors)),
                 5 => Token::Leaf(Leaf::Cone(vector)),
+                7 => Token::Leaf(Leaf::Separate(vector)),
+                8 => Token::Leaf(Leaf::Monotone(vector)),
                 _ => Token::Leaf(Leaf::Bend(factors)),
             };
             let mut bytes = Vec::new();
@@ -481,6 +502,7 @@ mod tests {
             ("far 0 -1 0", 0x13),
             ("not_normal 0 -1", 0x23),
             ("not_normal 1 0", 0x20),
+            ("separate 0 0 -1", 0x35),
         ] {
             let mut bytes = Vec::new();
             write_token(&parse_token(text, 3).unwrap(), 3, &mut bytes);

@@ -10,7 +10,9 @@ use serde::Serialize;
 
 use super::bounds::{Bounds, in_words, leaves_in_words};
 use super::curvature_words::{self, CurvatureLine};
+use super::deviation_words::{self, DeviationLine};
 use super::domain_words::{self, DomainLine};
+use super::embedding_words::{self, EmbeddingLine};
 use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
 use super::output::{complain, say, say_json};
@@ -89,6 +91,12 @@ enum StatementLine {
         #[serde(skip)]
         words: String,
     },
+    Deviation {
+        #[serde(flatten)]
+        line: DeviationLine,
+        #[serde(skip)]
+        words: String,
+    },
     Thickness {
         #[serde(flatten)]
         line: ThicknessLine,
@@ -98,6 +106,12 @@ enum StatementLine {
     Curvature {
         #[serde(flatten)]
         line: CurvatureLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Embedding {
+        #[serde(flatten)]
+        line: EmbeddingLine,
         #[serde(skip)]
         words: String,
     },
@@ -187,6 +201,10 @@ fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
             line: DomainLine::new(&content.statement),
             words: domain_words::in_words(&content.statement),
         },
+        Claim::Deviation(content) => StatementLine::Deviation {
+            line: DeviationLine::new(&content.statement),
+            words: deviation_words::in_words(&content.statement),
+        },
         Claim::Thickness(content) => StatementLine::Thickness {
             line: ThicknessLine::new(&content.statement),
             words: thickness_words::in_words(&content.statement, document.curve.is_closed()),
@@ -194,6 +212,10 @@ fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
         Claim::Curvature(content) => StatementLine::Curvature {
             line: CurvatureLine::new(&content.statement),
             words: curvature_words::in_words(&content.statement),
+        },
+        Claim::Embedding(content) => StatementLine::Embedding {
+            line: EmbeddingLine::new(&content.statement),
+            words: embedding_words::in_words(&content.statement),
         },
     };
     Outcome::Accepted {
@@ -247,7 +269,13 @@ impl Outcome {
                         line.convention,
                         leaves_in_words(*leaves),
                     ),
-                    StatementLine::Domain { words, .. } | StatementLine::Curvature { words, .. } => {
+                    StatementLine::Embedding { words, .. } => format!(
+                        "accepted: {input}: {words} (curve {curve}…, {})\n",
+                        leaves_in_words(*leaves),
+                    ),
+                    StatementLine::Domain { words, .. }
+                    | StatementLine::Deviation { words, .. }
+                    | StatementLine::Curvature { words, .. } => {
                         format!("accepted: {input}: {words} (curve {curve}…)\n")
                     }
                 }

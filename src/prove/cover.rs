@@ -74,9 +74,20 @@ pub struct Stuck {
     pub adjacent: bool,
 }
 
+/// What the leaves are to exclude.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aim {
+    /// Double normals shorter than the lower bound.
+    DoubleNormals,
+    /// Common points of different parameters.
+    CommonPoints,
+}
+
 /// What is searched for.
 #[derive(Clone, Debug)]
 pub struct Goal {
+    /// What the leaves are to exclude.
+    pub aim: Aim,
     /// The lower bound to be proved.
     pub lower: Lower,
     /// √ of it, rounded up; infinite for `Lower::Infinite`.
@@ -131,6 +142,12 @@ impl<'n, 's> Search<'n, 's> {
 
     /// A leaf for the pair, found in binary64.
     pub fn quick_leaf(&self, a: &Node, b: Option<&Node>, contact: Contact) -> Option<Leaf> {
+        if self.goal.aim == Aim::CommonPoints {
+            return match b {
+                Some(b) if !contact.any() => leaf::separate(self.nodes, a, b),
+                b => leaf::monotone(self.nodes, a, b),
+            };
+        }
         let Some(b) = b else {
             return leaf::cone(self.nodes, a, None).or_else(|| leaf::bend(self.nodes, a, None, bend_signs(a, a)));
         };
@@ -338,6 +355,9 @@ impl<'n, 's> Search<'n, 's> {
     /// A leaf for the pair, found in exact arithmetic.
     fn exact_leaf(&self, a: &ExactNode<'s>, b: Option<&ExactNode<'s>>) -> Option<Leaf> {
         let context = self.nodes.context;
+        if self.goal.aim == Aim::CommonPoints {
+            return exact::apart(context, a, b);
+        }
         let second = b.unwrap_or(a);
         let end = |node: &ExactNode, end| node.contains_end(&context.elements, end);
         let any_end = |node: &ExactNode| end(node, Element::Start) || end(node, Element::End);

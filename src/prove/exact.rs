@@ -82,6 +82,29 @@ pub fn leaf<'c>(
     }
 }
 
+/// Looks for a leaf that excludes common points of the pair (A, B), or of (A, A) when `b` is `None`.
+pub fn apart<'c>(context: &Context<'c>, a: &Node<'c>, b: Option<&Node<'c>>) -> Option<Leaf> {
+    let holds = |leaf: &Leaf| context.apart(a, b, leaf).is_ok();
+    let Some(other) = b.filter(|b| !context.adjacent(a, b)) else {
+        let directions = directions(context, a, b)?;
+        let n = super::vector::inner_direction(&directions);
+        let leaf = |bits| Leaf::Monotone(quantised(&n, bits).map(Into::into));
+        return [6u32, 20, 50].into_iter().map(leaf).find(holds);
+    };
+    let (hull_a, hull_b) = (Hull::<Integer>::new(context, a)?, Hull::new(context, other)?);
+    let (differences, _) = differences(&Gap::new(&hull_a, &hull_b)?);
+    let mean = differences.iter().fold([0.0; 4], |sum, difference| {
+        super::vector::add(&sum, &difference.rounded)
+    });
+    let rounded: Vec<Vector> = differences.iter().map(|difference| difference.rounded).collect();
+    let leaf = |n: &Vector, bits| Leaf::Separate(quantised(n, bits).map(Into::into));
+    let nearest = super::vector::inner_direction(&rounded);
+    let candidates = [6u32, 20, 50]
+        .into_iter()
+        .flat_map(|bits| [leaf(&nearest, bits), leaf(&mean, bits)]);
+    candidates.into_iter().find(holds)
+}
+
 /// `far` along the shortest vector of the convex hull of the differences.
 fn far(
     differences: &[Difference],
@@ -184,7 +207,8 @@ fn bend(context: &Context, a: &Node, b: Option<&Node>, signs: Signs) -> Option<L
     factors(path.iter().copied(), &of_a, &of_b, signs).map(Leaf::Bend)
 }
 
-fn cone(context: &Context, a: &Node, b: Option<&Node>) -> Option<Leaf> {
+/// The tangents of one node or of two, each as a float vector of some length.
+fn directions(context: &Context, a: &Node, b: Option<&Node>) -> Option<Vec<Vector>> {
     let mut directions = Vec::new();
     for node in std::iter::once(a).chain(b) {
         for v in Tangents::<Integer>::new(context, node)?.all() {
@@ -193,6 +217,11 @@ fn cone(context: &Context, a: &Node, b: Option<&Node>) -> Option<Leaf> {
             directions.push([x, y, z, 0.0]);
         }
     }
+    Some(directions)
+}
+
+fn cone(context: &Context, a: &Node, b: Option<&Node>) -> Option<Leaf> {
+    let directions = directions(context, a, b)?;
     let cone = super::cone::Cone::around(directions.iter());
     let bits = if cone.cosine > 0.83 { 6 } else { 20 };
     (cone.cosine > std::f64::consts::FRAC_1_SQRT_2).then(|| Leaf::Cone(quantised(&cone.axis, bits).map(Into::into)))

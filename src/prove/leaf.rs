@@ -2,6 +2,7 @@
 //!
 //! Whatever is returned satisfies its obligation exactly, by the error bounds of the nodes; the checker replays it all the same.
 
+mod apart;
 mod meeting;
 mod not_normal;
 
@@ -9,6 +10,7 @@ use super::float_chain::UNIT;
 use super::node::{Node, Nodes};
 use super::vector::{Vector, dot, from_integers, greater, lesser, norm1, quantised, scale, sub};
 use crate::claim::tree::Leaf;
+pub use apart::{monotone, separate};
 pub use meeting::{bend, cone};
 pub use not_normal::not_normal;
 

@@ -3,7 +3,10 @@
 mod cone;
 mod cover;
 pub mod curvature;
+pub mod deviation;
 pub mod domain;
+pub mod embedding;
+mod evidence;
 mod exact;
 mod float_chain;
 mod half_plane;

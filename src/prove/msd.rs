@@ -5,7 +5,8 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 
 use tempfile::SpooledTempFile;
 
-use super::cover::{Event, Goal, Stuck};
+use super::cover::{Aim, Event, Goal, Stuck};
+use super::evidence::{IN_MEMORY, write_checked};
 use super::float_chain::FloatChain;
 use super::node::run_cones;
 use super::seeds;
@@ -14,7 +15,6 @@ use super::upper::{Bounds, UpperBound, few_bits_between, raw_product};
 use crate::certificate::{Document, Encoding, write};
 use crate::check::chain::Chain;
 use crate::check::cover::Context;
-use crate::check::{Verdict, check};
 use crate::claim::msd::{Content, Convention, Evidence, Lower, Statement};
 use crate::curve::Curve;
 use crate::number::{Integer, Rational, RationalExt};
@@ -107,9 +107,6 @@ impl From<io::Error> for CertifyError {
     }
 }
 
-/// Trees up to this size stay in memory.
-const IN_MEMORY: usize = 1 << 26;
-
 impl Certified<'_> {
     /// Writes the certificate.
     ///
@@ -129,25 +126,10 @@ impl Certified<'_> {
         encoding: Encoding,
         file: &mut F,
     ) -> Result<(), CertifyError> {
-        {
-            let mut out = io::BufWriter::with_capacity(1 << 16, &mut *file);
-            self.write(encoding, &mut out)?;
-            out.flush()?;
-        }
-        file.seek(SeekFrom::Start(0))?;
-        match check(&mut *file) {
-            Verdict::Accepted { document, .. }
-                if document
-                    .claim
-                    .msd()
-                    .is_some_and(|content| content.statement == self.document.claim.statement) =>
-            {
-                Ok(())
-            }
-            Verdict::Accepted { .. } => Err(CertifyError::Refuted("another statement was read back".into())),
-            Verdict::Malformed(error) => Err(CertifyError::Refuted(error.to_string())),
-            Verdict::Rejected { rejection, .. } => Err(CertifyError::Refuted(rejection.to_string())),
-        }
+        let statement = &self.document.claim.statement;
+        write_checked(&self.document, &mut self.tree, encoding, file, |claim| {
+            claim.msd().is_some_and(|content| content.statement == *statement)
+        })
     }
 }
 
@@ -223,8 +205,41 @@ pub fn certify<'c>(curve: &'c Curve, options: &Options, progress: &dyn Fn(f64)) 
     Ok(certified)
 }
 
+/// The statement that σ is 0 in the convention `smooth`: the curve meets itself.
+pub(super) fn meets_itself<'c>(
+    curve: &'c Curve,
+    name: Option<String>,
+    snapped: Option<u64>,
+    upper: UpperBound,
+) -> Certified<'c> {
+    Certified {
+        status: Status::Certified,
+        document: Document {
+            tool: super::TOOL.into(),
+            name,
+            snapped_joints: snapped,
+            curve: Cow::Borrowed(curve),
+            claim: Content {
+                statement: Statement {
+                    convention: Convention::Smooth,
+                    lower_squared: zero_lower(),
+                    upper_squared: Some(upper.squared),
+                },
+                evidence: Evidence {
+                    grid: 0,
+                    upper: Some(upper.rule),
+                },
+                has_tree: false,
+            },
+        },
+        leaves: 0,
+        at: Some(upper.at),
+        tree: SpooledTempFile::new(IN_MEMORY),
+    }
+}
+
 /// A grid on which boxes of runs are rounded by a small part of a piece's size, without needless bits.
-fn grid(floats: &FloatChain) -> u32 {
+pub(super) fn grid(floats: &FloatChain) -> u32 {
     let mut size = 0.0;
     let mut reach = 0.0f64;
     for piece in 0..floats.pieces.len() {
@@ -370,6 +385,7 @@ impl Work<'_> {
         };
         let halvings = 30.0 - 0.75 * self.options.relative_width.to_f64().log2();
         Goal {
+            aim: Aim::DoubleNormals,
             lower: lower.clone(),
             length,
             max_depth: halvings.clamp(40.0, 118.0) as u32,

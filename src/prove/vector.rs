@@ -86,6 +86,37 @@ pub fn unit(a: &Vector) -> Option<Vector> {
     (square > 0.0 && square.is_finite()).then(|| scale(a, 1.0 / square.sqrt()))
 }
 
+/// A direction in which the least product with the vectors is as great as Gilbert's steps make it: nearly the one of the shortest vector
+/// of their convex hull. Zero vectors are left out.
+pub fn inner_direction(vectors: &[Vector]) -> Vector {
+    let given: Vec<&Vector> = vectors.iter().filter(|v| dot(v, v) > 0.0).collect();
+    let mut x = given.iter().fold([0.0; 4], |sum, v| add(&sum, v));
+    x = scale(&x, 1.0 / given.len().max(1) as f64);
+    let mut best = (f64::NEG_INFINITY, x);
+    for _ in 0..30 {
+        let least = given.iter().min_by(|v, w| dot(v, &x).total_cmp(&dot(w, &x)));
+        let Some(support) = least else { break };
+        let length = dot(&x, &x).sqrt();
+        let reached = dot(support, &x) / length;
+        if reached > best.0 {
+            best = (reached, x);
+        }
+        // The point of the segment from x to the support point that is nearest to the origin.
+        let step = sub(&x, support);
+        let square = dot(&step, &step);
+        let fraction = if square > 0.0 {
+            (dot(&x, &step) / square).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        if fraction <= 0.0 || reached.is_nan() || reached > 0.999 * length {
+            break;
+        }
+        x = sub(&x, &scale(&step, fraction));
+    }
+    best.1
+}
+
 /// An integer nearest to x, as far as it matters for a choice: near the middle between two integers it may be the wrong one of them.
 #[inline]
 pub fn nearest_integer(x: f64) -> i64 {

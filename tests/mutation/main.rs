@@ -348,6 +348,17 @@ fn half_planes() {
     run_domain("strip", &subjects::ball::strip());
 }
 
+/// A sandwich that the prover found, of a domain with a curved boundary, and one in space.
+#[test]
+fn sandwiches() {
+    run_domain("block", &subjects::domain::block());
+    let path = common::case::certs().join("accept/proved/domain-cubic.json");
+    run_domain(
+        "cubic",
+        &Certificate::of_bytes(&std::fs::read(path).expect("in the corpus")),
+    );
+}
+
 #[test]
 fn bytes_of_half_planes() {
     for certificate in [subjects::domain::rectangle(), subjects::empty::below()] {

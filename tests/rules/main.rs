@@ -48,7 +48,11 @@ verified!(
     nearest,
     change,
     ball,
+    separate,
+    monotone,
+    embedding,
     curvature,
+    deviation,
     thickness,
 );
 

@@ -13,13 +13,17 @@ import re
 import sys
 
 import curvature
+import deviation
 import domain
+import embedding
 import msd
 import thickness
 from curve import curve_block, read_chain
 from document import BinaryReader, Reject, anything, expect, natural, parse_json, record, text, variant
 
-CLAIMS = {"msd": msd, "domain": domain, "curvature": curvature, "thickness": thickness}  # modules with STATEMENT, evidence_of, check and sentence
+# modules with STATEMENT, evidence_of, check and sentence
+CLAIMS = {"msd": msd, "domain": domain, "embedding": embedding, "curvature": curvature,
+          "thickness": thickness, "deviation": deviation}
 MAX_HEADER = 16_777_216
 MAX_JSON_BYTES = (1 << 30) - 1
 MAGIC = b"KNOTCRT1"

@@ -61,7 +61,8 @@ def sentence(statement):
 
 def token_counts(dimension):
     """How many integers each token has; in the order of their codes."""
-    return {"split": 0, "first": 0, "second": 0, "far": dimension, "not_normal": 2, "cone": dimension, "bend": 2}
+    return {"split": 0, "first": 0, "second": 0, "far": dimension, "not_normal": 2, "cone": dimension, "bend": 2,
+            "separate": dimension, "monotone": dimension}
 
 
 def json_tokens(tree, dimension):
@@ -81,6 +82,7 @@ def binary_tokens(tree, block, dimension):
     long = dict(enumerate(token_counts(dimension).items()))
     short = {0x10 + i: ("far", n) for i, n in enumerate(units(dimension))}
     short |= {0x20 + i: ("not_normal", n) for i, n in enumerate(units(2))}
+    short |= {0x30 + i: ("separate", n) for i, n in enumerate(units(dimension))}
     while block.left():
         code = block.byte("token")
         if code in short:
@@ -179,6 +181,8 @@ def elements_of(chain, critical):
 class Cover:
     """The replay of the cover tree; lower is None for "inf"."""
 
+    rules = frozenset({"far", "not_normal", "cone", "bend"})
+
     def __init__(self, chain, critical, grid, lower):
         self.chain, self.lower = chain, lower
         self.whole = node_of(list(elements_of(chain, critical)), grid)
@@ -204,6 +208,7 @@ class Cover:
     def step(self, a, b, rule, integers):
         """The pairs that follow, the last one first; a leaf has none."""
         if integers:
+            require(rule in self.rules, "a leaf of another claim")
             require(any(integers), "expected integers not all zero")
             mixed = rule == "bend" or (rule == "not_normal" and all(integers))
             require(not (mixed and (isinstance(a, Run) or isinstance(b, Run))), "this rule is not for runs")

@@ -5,13 +5,12 @@ use std::io::{self, Read, Write};
 use serde::Deserialize;
 
 use super::super::FormatError;
-use super::super::bytes::ByteSource;
 use super::numbers::{Parsed, integer, rational, shortened};
 use super::raw::{InBlock, Object, Text, required};
 use super::read::parse_within;
+use super::tree::write_tree;
 use super::write::string;
 use crate::claim::msd::{Content, Convention, Evidence, Interval, Lower, Side, Statement, Upper};
-use crate::claim::tree::{BinaryTokens, TokenSource, token_text};
 use crate::number::{Integer, RationalExt};
 
 #[derive(Deserialize)]
@@ -257,25 +256,7 @@ pub fn write_evidence<R: Read, W: Write>(
     match tree {
         _ if !content.has_tree => text.push_str("null"),
         None => text.push_str("\"binary\""),
-        Some(tree) => {
-            let mut tokens = BinaryTokens::new(ByteSource::new(tree), dimension);
-            text.push('[');
-            let mut first = true;
-            while let Some(token) = tokens
-                .next_token()
-                .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?
-            {
-                text.push_str(if first { "\n      \"" } else { ",\n      \"" });
-                first = false;
-                text.push_str(&token_text(&token, dimension));
-                text.push('"');
-                if text.len() > 1 << 16 {
-                    out.write_all(text.as_bytes())?;
-                    text.clear();
-                }
-            }
-            text.push_str("\n    ]");
-        }
+        Some(tree) => write_tree(tree, dimension, &mut text, out)?,
     }
     text.push_str(",\n    \"upper\": ");
     match &content.evidence.upper {

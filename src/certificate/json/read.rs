@@ -8,7 +8,7 @@ use super::super::block::{self, hexadecimal};
 use super::super::{Document, FormatError};
 use super::numbers::{Parsed, numbers, points, shortened};
 use super::raw::{InBlock, Object, RawClaim, RawCurve, RawDocument, Text};
-use super::{curvature, domain, msd, thickness};
+use super::{curvature, deviation, domain, embedding, msd, thickness};
 use crate::claim::Claim;
 use crate::curve::{BSpline, Bezier, Curve, Form, MAXIMUM_PIECES};
 
@@ -87,6 +87,10 @@ impl Header<'_> {
                 let content = domain::read(self.statement, self.evidence, dimension)?;
                 (Claim::Domain(content), Vec::new())
             }
+            "deviation" => {
+                let content = deviation::read(self.statement, self.evidence)?;
+                (Claim::Deviation(content), Vec::new())
+            }
             "curvature" => {
                 let content = curvature::read(self.statement, self.evidence)?;
                 (Claim::Curvature(content), Vec::new())
@@ -95,9 +99,13 @@ impl Header<'_> {
                 let (content, tokens) = thickness::read(self.statement, self.evidence, self.block, dimension)?;
                 (Claim::Thickness(content), tokens)
             }
+            "embedding" => {
+                let (content, tokens) = embedding::read(self.statement, self.evidence, self.block)?;
+                (Claim::Embedding(content), tokens)
+            }
             other => {
                 let what = format!(
-                    "found {:?}, expected \"msd\", \"domain\", \"curvature\" or \"thickness\"",
+                    "found {:?}, expected \"msd\", \"domain\", \"embedding\", \"curvature\", \"thickness\" or \"deviation\"",
                     shortened(other)
                 );
                 return Err(FormatError::malformed("statement.claim", what));

@@ -4,7 +4,7 @@ use std::io::{self, Read, Write};
 
 use super::super::Document;
 use super::super::block::{self, hexadecimal};
-use super::{curvature, domain, msd, thickness};
+use super::{curvature, deviation, domain, embedding, msd, thickness};
 use crate::claim::{AsClaim, ClaimRef};
 use crate::curve::{Curve, Form};
 use crate::number::{RationalExt, RationalVector};
@@ -49,10 +49,22 @@ fn rest<C: AsClaim, R: Read, W: Write>(
             out.write_all(text.as_bytes())?;
             msd::write_evidence(content, document.curve.dimension(), tree, out)?;
         }
+        ClaimRef::Embedding(content) => {
+            embedding::write_statement(&content.statement, &mut text);
+            text.push_str(between);
+            out.write_all(text.as_bytes())?;
+            embedding::write_evidence(content, document.curve.dimension(), tree, out)?;
+        }
         ClaimRef::Domain(content) => {
             domain::write_statement(&content.statement, &mut text);
             text.push_str(between);
             domain::write_evidence(&content.evidence, &mut text);
+            out.write_all(text.as_bytes())?;
+        }
+        ClaimRef::Deviation(content) => {
+            text.push_str(&deviation::statement_text(&content.statement));
+            text.push_str(between);
+            text.push_str(&deviation::evidence_text(&content.evidence));
             out.write_all(text.as_bytes())?;
         }
         ClaimRef::Thickness(content) => {

@@ -50,7 +50,7 @@ pub fn check(context: &Context, evidence: &Evidence, [lower, upper]: [&Rational;
                 format!("a longer one of row {i}"),
             );
         }
-        total = total + multiplier * length;
+        total += multiplier * length;
     }
     if total == zero {
         return fails("a positive sum of multipliers times lengths", "0");

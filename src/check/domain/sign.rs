@@ -440,7 +440,7 @@ impl Section {
             // At the open end itself the row is the value of g.
             if !factor.numer().is_zero() {
                 for _ in 0..self.removed[end] {
-                    scale = scale * factor;
+                    scale *= factor;
                 }
             }
         }

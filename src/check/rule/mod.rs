@@ -6,8 +6,10 @@ pub mod critical;
 pub mod crossing;
 pub mod far;
 pub mod miranda;
+pub mod monotone;
 pub mod not_normal;
 pub mod root;
+pub mod separate;
 
 use crate::number::Integer;
 

@@ -2,7 +2,9 @@
 
 mod atomic_file;
 mod curvature;
+mod deviation;
 mod domain;
+mod embedding;
 mod msd;
 mod output_file;
 mod progress;
@@ -26,6 +28,8 @@ enum Claim {
     Msd(Box<msd::Arguments>),
     Domain(Box<domain::Arguments>),
     Curvature(curvature::Arguments),
+    Deviation(deviation::Arguments),
+    Embedding(Box<embedding::Arguments>),
     Thickness(thickness::Arguments),
 }
 
@@ -35,6 +39,8 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         Claim::Msd(arguments) => msd::run(*arguments),
         Claim::Domain(arguments) => domain::run(&arguments),
         Claim::Curvature(arguments) => curvature::run(&arguments),
+        Claim::Deviation(arguments) => deviation::run(&arguments),
+        Claim::Embedding(arguments) => embedding::run(*arguments),
         Claim::Thickness(arguments) => thickness::run(&arguments),
     }
 }

@@ -325,7 +325,7 @@ impl<'a, const D: usize> Search<'a, D> {
         let rays = self.rays();
         let rounding = (self.tolerance * ROUNDING / D as f64).max(FINEST_ROUNDING);
         let nearest = self.inradius(&rays);
-        if !(nearest > 0.0) {
+        if nearest.is_nan() || nearest <= 0.0 {
             return Err("the center is on the boundary".into());
         }
         let mut bits = -(rounding * nearest / 4.0).log2().floor() as i64;

@@ -58,7 +58,7 @@ pub fn cone(nodes: &Nodes, a: &Node, b: Option<&Node>) -> Option<Leaf> {
 }
 
 /// Are the tangents of a node so much larger than their errors that their directions are right to 10⁻⁷?
-fn trustworthy(nodes: &Nodes, node: &Node) -> bool {
+pub fn trustworthy(nodes: &Nodes, node: &Node) -> bool {
     node.is_run()
         || nodes
             .tangents(node)

@@ -1,5 +1,7 @@
 //! What a float solver suggests.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use good_lp::solvers::WithTimeLimit;
 use good_lp::{Expression, ProblemVariables, Solution, SolverModel, constraint, microlp, variable};
 
@@ -10,8 +12,8 @@ use crate::number::{Integer, Rational, RationalExt};
 pub trait FloatSolver {
     /// A point thought to maximise objective·x where normal·x + constant ≥ 0 for every (normal, constant); `None` when it knows none.
     ///
-    /// Numbers are finite, the entries of objective and normals at most 1. Whatever it answers, NaN, infinities and a wrong number of coordinates
-    /// included, the exact result is right; a good answer makes it quick.
+    /// Numbers are finite, the entries of objective and normals at most 1. Whatever it answers, NaN, infinities, a wrong number of coordinates
+    /// and a panic included, the exact result is right; a good answer makes it quick.
     fn solve(&self, objective: &[f64], rows: &[(Vec<f64>, f64)]) -> Option<Vec<f64>>;
 }
 
@@ -57,7 +59,9 @@ pub fn suggestion(objective: &[Integer], rows: &[Row], solver: &dyn FloatSolver)
     if usable.is_empty() {
         return Vec::new();
     }
-    let Some(point) = solver.solve(&objective, &usable) else {
+    // A solver that panics has no suggestion either.
+    let solve = || solver.solve(&objective, &usable);
+    let Ok(Some(point)) = catch_unwind(AssertUnwindSafe(solve)) else {
         return Vec::new();
     };
     if point.len() != objective.len() || point.iter().any(|x| !x.is_finite()) {

@@ -27,6 +27,15 @@ impl FloatSolver for Stubborn {
     }
 }
 
+/// Fails.
+struct Panicking;
+
+impl FloatSolver for Panicking {
+    fn solve(&self, _objective: &[f64], _rows: &[(Vec<f64>, f64)]) -> Option<Vec<f64>> {
+        panic!("meant to be caught")
+    }
+}
+
 /// Every solver, the honest one first.
 fn solvers(n: usize) -> Vec<Box<dyn FloatSolver>> {
     let all = |x: f64| Stubborn(Some(vec![x; n]));
@@ -112,6 +121,12 @@ fn proves(objective: &[Integer], rows: &[Row], solution: &Solution) -> bool {
             chosen.len() <= objective.len() + 1 && linear.iter().all(|a| *a == zero()) && constant < zero()
         }
     }
+}
+
+#[test]
+fn panicking_solver() {
+    let solution = maximise(&integers(&[2]), &[row(&[-1], 3)], &Panicking);
+    assert!(matches!(solution, Ok(Solution::Optimal { value, .. }) if value == fraction(6, 1)));
 }
 
 #[test]
@@ -303,7 +318,7 @@ fn programs() -> impl Strategy<Value = (Vec<Integer>, Vec<Row>)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(ProptestConfig::with_cases(80))]
 
     #[test]
     fn within_a_box((objective, mut rows) in programs(), side in 1_i64..9) {

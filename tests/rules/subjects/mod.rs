@@ -10,15 +10,19 @@ pub mod critical_root;
 pub mod crossing;
 pub mod curvature;
 pub mod curve;
+pub mod deviation;
 pub mod domain;
+pub mod embedding;
 pub mod empty;
 pub mod far;
 pub mod miranda;
+pub mod monotone;
 pub mod nearest;
 pub mod not_normal;
 pub mod numbers;
 pub mod root;
 pub mod sandwich;
+pub mod separate;
 pub mod statement;
 pub mod text;
 pub mod thickness;
@@ -56,7 +60,11 @@ pub fn all() -> Vec<(&'static str, fn() -> Vec<Case>)> {
         ("nearest", nearest::cases),
         ("change", change::cases),
         ("ball", ball::cases),
+        ("separate", separate::cases),
+        ("monotone", monotone::cases),
+        ("embedding", embedding::cases),
         ("curvature", curvature::cases),
+        ("deviation", deviation::cases),
         ("thickness", thickness::cases),
     ]
 }

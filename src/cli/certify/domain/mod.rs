@@ -163,6 +163,8 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Some(document) => write(document, target.as_ref(), arguments.format)?,
     };
     let report = Report {
+        input: &arguments.curve,
+        file: &file,
         problem: &problem,
         document: found.document.as_ref(),
         status: &found.status,

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use knotproof::certificate::Document;
 use knotproof::check::domain::Context;
 use knotproof::claim::domain::{Content, Evidence, Outcome, Row, Statement};
-use knotproof::curve::Curve;
+use knotproof::curve::{Curve, CurveFile};
 use knotproof::number::{Rational, RationalExt};
 use knotproof::prove::domain::sandwich::Round;
 use knotproof::prove::domain::{Problem, Status};
@@ -13,9 +13,14 @@ use serde::Serialize;
 
 use crate::cli::certify::report::Written;
 use crate::cli::domain_words::{DomainLine, decimals, in_words, quantity};
+use crate::cli::input::Input;
 
 /// What there is to tell.
 pub struct Report<'a> {
+    /// The file of the curve.
+    pub input: &'a Input,
+    /// The curve.
+    pub file: &'a CurveFile,
     /// What was asked.
     pub problem: &'a Problem,
     /// What is proved, if anything.
@@ -109,13 +114,16 @@ impl Place {
     }
 
     fn in_words(&self, statement: &Statement) -> String {
+        // Exact numbers are in the certificate and in the JSON.
+        let short = |x: &str| Rational::parse_canonical(x).map_or_else(|_| x.into(), |x| format!("{:.9}", x.to_f64()));
         match self {
             Place::Point(point) => {
                 let name = match statement.outcome {
                     Outcome::Ball { .. } => "centre of such a ball",
                     _ => "a position as near",
                 };
-                format!("{name}: ({})", point.join(", "))
+                let point: Vec<String> = point.iter().map(|x| short(x)).collect();
+                format!("{name}: about ({})", point.join(", "))
             }
             Place::Move { direction, at } => {
                 let direction: Vec<String> = direction.iter().map(|x| format!("{x:.6}")).collect();
@@ -168,59 +176,98 @@ impl Report<'_> {
     /// Lines.
     pub fn for_people(&self) -> String {
         let mut text = String::new();
+        let _ = self.write_for_people(&mut text);
+        text
+    }
+
+    fn write_for_people(&self, text: &mut String) -> std::fmt::Result {
         let domain = &self.problem.domain;
-        match self.document {
-            Some(document) => {
-                let _ = writeln!(text, "{}", in_words(&document.claim.statement));
-                if let Outcome::Sandwich { .. } = document.claim.statement.outcome
-                    && let Some(round) = self.rounds.last()
-                {
-                    let _ = writeln!(
-                        text,
-                        "inner polytope on {} points, outer polytope of {} inequalities with {} vertices, {} rounds, {:.3} s",
-                        round.inner_points,
-                        round.inequalities,
-                        round.vertices,
-                        self.rounds.len(),
-                        self.seconds
-                    );
-                }
-                if let Some(place) = Place::of(&document.curve, &document.claim) {
-                    let _ = writeln!(text, "{}", place.in_words(&document.claim.statement));
-                }
-            }
-            None => {
-                let _ = writeln!(text, "nothing about the domain for {} is proved", quantity(domain));
+        let name = match &self.file.name {
+            Some(name) => format!("{name:?}"),
+            None => self.input.to_string(),
+        };
+        let sign = if domain.sign.name() == "+" {
+            "positive"
+        } else {
+            "negative"
+        };
+        let subject = format!(
+            "convex domain of a control point of {name} for {sign} {}",
+            quantity(domain)
+        );
+        match self.status {
+            Status::Certified => writeln!(text, "certified: {subject}")?,
+            Status::Undecided(why) => {
+                writeln!(text, "undecided: {subject}")?;
+                writeln!(text, "  because {why}")?;
             }
         }
         if domain.points.len() > 1 {
             let points: Vec<String> = domain.points.iter().map(usize::to_string).collect();
-            let _ = writeln!(
+            writeln!(
                 text,
-                "control points {} are one place and move together",
+                "  control points {} are one place and move together",
                 points.join(", ")
-            );
+            )?;
         }
         for (end, name) in [(0, "start"), (1, "end")] {
             if domain.open[end] {
-                let _ = writeln!(
+                writeln!(
                     text,
-                    "the {name} of the interval is left open: the sign function vanishes there wherever the point is"
-                );
+                    "  the {name} of the interval is left open: the sign function vanishes there wherever the point is"
+                )?;
             }
         }
-        if let Status::Undecided(why) = self.status {
-            let _ = writeln!(text, "undecided: {why}");
+        let Some(document) = self.document else {
+            writeln!(text, "  nothing is proved")?;
+            return writeln!(text, "  {:.3} s", self.seconds);
+        };
+        let so_far = match self.status {
+            Status::Certified => "",
+            Status::Undecided(_) => "proved so far: ",
+        };
+        writeln!(text, "  {so_far}{}", in_words(&document.claim.statement))?;
+        match (&document.claim.evidence, self.rounds.last()) {
+            (Evidence::Sandwich { inner, rows, .. }, Some(round)) => {
+                writeln!(text, "  inner polytope: the hull of {} points", inner.points.len())?;
+                let parameters = rows.iter().filter(|row| matches!(row, Row::Parameter { .. })).count();
+                writeln!(
+                    text,
+                    "  outer polytope: {parameters} inequalities and {} sides of the box, {} vertices, found in {} rounds",
+                    rows.len() - parameters,
+                    round.vertices,
+                    self.rounds.len()
+                )?;
+            }
+            (Evidence::Empty { rows, .. }, _) => match rows.len() {
+                1 => writeln!(text, "  because of one inequality that holds nowhere")?,
+                count => writeln!(text, "  because of {count} inequalities that contradict each other")?,
+            },
+            _ => {}
         }
-        if let Some(written) = &self.written {
-            let _ = writeln!(
+        if let Some(place) = Place::of(&document.curve, &document.claim) {
+            writeln!(text, "  {}", place.in_words(&document.claim.statement))?;
+        }
+        if self.file.snapped > 0 {
+            writeln!(
                 text,
-                "certificate: {} ({} bytes)",
+                "  joints moved by --snap-joints: {}; all this is about the curve so changed",
+                self.file.snapped
+            )?;
+        }
+        match &self.written {
+            Some(written) => writeln!(
+                text,
+                "  certificate: {}, {} bytes, accepted by the checker",
                 written.path.display(),
                 written.bytes
-            );
+            )?,
+            None => writeln!(
+                text,
+                "  the evidence was accepted by the checker and not kept; -o CERT writes it"
+            )?,
         }
-        text
+        writeln!(text, "  {:.3} s", self.seconds)
     }
 }
 

@@ -1,0 +1,149 @@
+//! `knotproof certify deviation`: the distance between a curve and its control polygon.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Args;
+use knotproof::check::deviation::MOST_SUBDIVISIONS;
+use knotproof::number::{RationalExt, sqrt_decimal_up};
+use knotproof::prove::deviation::{Options, certify};
+use knotproof::prove::domain::Status;
+use serde::Serialize;
+
+use super::curvature::write;
+use super::msd::{Width, parse_width};
+use super::output_file::{Format, Target};
+use crate::cli::deviation_words::{DeviationLine, in_words};
+use crate::cli::failure::Failure;
+use crate::cli::input::Input;
+use crate::cli::output::{say, say_json};
+use crate::cli::{Exit, Printing};
+
+/// Digits of the bound.
+const BOUND_DIGITS: usize = 6;
+
+/// The distance between a curve and its control polygon after subdivision
+///
+/// Every piece is halved so often as is asked for; the control polygon of the parts is parametrised linearly between control points, the k-th of n+1 at k/n of its part. The output is an
+/// interval that contains the greatest distance of points of the same parameter, and the bound of Nairn, Peters and Lutterkort (1999) that visualisation software goes by.
+#[derive(Args)]
+pub struct Arguments {
+    /// The curve, a file of version curve/1; "-" is standard input.
+    curve: Input,
+    /// How often every piece is halved.
+    #[arg(long, value_name = "M", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=i64::from(MOST_SUBDIVISIONS)))]
+    subdivisions: u32,
+    /// How far apart the bounds of the squared distance may be, relative to the upper one: a decimal or a fraction from 1e-30 to 1e-1.
+    #[arg(long, value_name = "WIDTH", default_value = "1e-6", allow_hyphen_values = true, value_parser = parse_width)]
+    rel_width: Width,
+    /// Write the certificate to this file. It is there only when whole, and accepted by the checker.
+    #[arg(long, short, value_name = "CERT")]
+    output: Option<PathBuf>,
+    /// The form of the certificate [default: binary when the name of CERT ends in ".bin", else json]
+    #[arg(long, value_enum, requires = "output")]
+    format: Option<Format>,
+    /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
+    #[arg(long)]
+    snap_joints: bool,
+    #[command(flatten)]
+    printing: Printing,
+}
+
+#[derive(Serialize)]
+struct ForPrograms {
+    status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
+    claim: &'static str,
+    #[serde(flatten)]
+    bounds: Option<DeviationLine>,
+    edges: u64,
+    /// The bound of Nairn, Peters and Lutterkort, squared and exact, for polynomial pieces.
+    bound_squared: Option<String>,
+    /// The same as a decimal, rounded up.
+    bound: Option<String>,
+    seconds: f64,
+    certificate: Option<String>,
+}
+
+/// Runs the subcommand.
+pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    let target = Target::new(arguments.output.as_deref(), &arguments.curve)?;
+    let file = arguments.curve.read_curve(arguments.snap_joints)?;
+    let options = Options {
+        subdivisions: arguments.subdivisions,
+        relative_width: arguments.rel_width.value.clone(),
+        name: file.name.clone(),
+        snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
+    };
+    let start = Instant::now();
+    let found = certify(&file.curve, &options).map_err(|error| Failure::at(&arguments.curve, error))?;
+    let written = match &found.document {
+        None => None,
+        Some(document) => write(document, target.as_ref(), arguments.format)?,
+    };
+    let seconds = start.elapsed().as_secs_f64();
+    let bound = found
+        .bound_squared
+        .as_ref()
+        .map(|squared| sqrt_decimal_up(squared, BOUND_DIGITS));
+    let statement = found.document.as_ref().map(|document| &document.claim.statement);
+    let reason = match &found.status {
+        Status::Certified => None,
+        Status::Undecided(why) => Some(why.clone()),
+    };
+    let exit = match reason {
+        None => Exit::Success,
+        Some(_) => Exit::Undecided,
+    };
+    if arguments.printing.json {
+        say_json(&ForPrograms {
+            status: if reason.is_none() { "certified" } else { "undecided" },
+            reason,
+            claim: "deviation",
+            bounds: statement.map(DeviationLine::new),
+            edges: found.edges,
+            bound_squared: found.bound_squared.as_ref().map(|squared| squared.format()),
+            bound,
+            seconds,
+            certificate: written.map(|written| written.path.display().to_string()),
+        })?;
+    } else if !arguments.printing.quiet {
+        let name = match &file.name {
+            Some(name) => format!("{name:?}"),
+            None => arguments.curve.to_string(),
+        };
+        let mut text = match &reason {
+            None => format!("certified: deviation of {name} from its control polygon\n"),
+            Some(why) => format!("undecided: deviation of {name} from its control polygon\n  because {why}\n"),
+        };
+        if let Some(statement) = statement {
+            let _ = writeln!(text, "  {}", in_words(statement));
+        }
+        let edges = if found.edges == 1 { "edge" } else { "edges" };
+        let _ = writeln!(text, "  the polygon has {} {edges}", found.edges);
+        let _ = match bound {
+            Some(bound) => writeln!(
+                text,
+                "  bound by second differences (Nairn, Peters, Lutterkort 1999): at most {bound}"
+            ),
+            None => writeln!(text, "  no bound by second differences: a piece is rational"),
+        };
+        let _ = match written {
+            Some(written) => writeln!(
+                text,
+                "  certificate: {}, {} bytes, accepted by the checker",
+                written.path.display(),
+                written.bytes
+            ),
+            None => writeln!(
+                text,
+                "  the evidence was accepted by the checker and not kept; -o CERT writes it"
+            ),
+        };
+        let _ = writeln!(text, "  {seconds:.3} s");
+        say(&text)?;
+    }
+    Ok(exit)
+}
