@@ -112,6 +112,8 @@ fn every_rule_is_on_both_sides() {
         "nearest",
         "change",
         "ball",
+        "curvature",
+        "thickness",
         "separate",
         "monotone",
         "embedding",

@@ -2,6 +2,7 @@
 //! accepted must be true, by recomputation; and the second checker must agree.
 #![cfg(feature = "prove")]
 
+mod bend;
 #[path = "../common/mod.rs"]
 mod common;
 mod half_plane;
@@ -442,4 +443,35 @@ fn bytes_of_half_planes() {
         mutate_bytes(&mut tally, &bytes);
         tally.agree(20);
     }
+}
+
+/// A certificate whose truth is recomputed by `truth`.
+fn run_with(name: &str, certificate: &Certificate, truth: fn(&Document) -> bool) {
+    let bytes = certificate.json();
+    let mut tally = Tally::new(name, &bytes, Box::new(truth));
+    mutate_json(&mut tally, certificate);
+    tally.agree(5);
+}
+
+#[test]
+fn curvature() {
+    run_with("vertex", &subjects::curvature::vertex(), bend::curvature_is_true);
+    run_with("circle", &hand_made("curvature", "circle"), bend::curvature_is_true);
+    run_with(
+        "coincident points",
+        &hand_made("curvature", "coincident-points"),
+        bend::curvature_is_true,
+    );
+    run_with("in space", &hand_made("curvature", "in-space"), bend::curvature_is_true);
+    let bytes = subjects::curvature::vertex().binary();
+    let mut tally = Tally::new("vertex", &bytes, Box::new(bend::curvature_is_true));
+    mutate_bytes(&mut tally, &bytes);
+    tally.agree(20);
+}
+
+#[test]
+fn thickness() {
+    run_with("segment", &subjects::thickness::segment(), bend::thickness_is_true);
+    run_with("circle", &subjects::thickness::circle(), bend::thickness_is_true);
+    run_with("corner", &subjects::thickness::corner(), bend::thickness_is_true);
 }

@@ -112,7 +112,7 @@ pub fn write<C: AsClaim>(
         }
         None => {
             let mut nowhere = SpooledTempFile::new(1 << 26);
-            write_checked(document, Encoding::Json, &mut nowhere).map_err(|error| failure(&error))?;
+            write_checked(document, Encoding::Binary, &mut nowhere).map_err(|error| failure(&error))?;
             Ok(None)
         }
     }

@@ -18,7 +18,7 @@ use crate::check::chain::Chain;
 use crate::check::curvature::Field;
 use crate::check::polynomial::NotShown;
 use crate::claim::curvature::{Content, Evidence, Statement};
-use crate::curve::{Curve, Joint};
+use crate::curve::{Curve, Joint, MAXIMUM_BITS};
 use crate::number::{Integer, Rational};
 use climb::{Peak, climb};
 pub use regular::Irregular;
@@ -26,7 +26,9 @@ pub use regular::Irregular;
 /// How often a greater curvature is looked for.
 const ATTEMPTS: usize = 60;
 /// A parameter with so small a denominator may be where the greatest curvature is attained exactly.
-const SHORT_DENOMINATOR: u64 = 1 << 12;
+const SHORT_DENOMINATOR: i64 = 1 << 12;
+/// An exact greatest curvature of more bits is not stated.
+const SHORT_BITS: u64 = 4096;
 
 /// What certifying needs to know.
 #[derive(Clone, Debug)]
@@ -96,7 +98,8 @@ fn search(chain: &Chain, pieces: &crate::curve::Chain, options: &Options) -> (Op
     let (piece, at) = sample::greatest(pieces.pieces());
     let mut peak = climb(&Field::new(chain, piece), piece, at, bits);
     for _ in 0..ATTEMPTS {
-        let short = peak.u.denom().to_i64().is_some_and(|q| q as u64 <= SHORT_DENOMINATOR);
+        let short =
+            peak.u.denom().to_i64().is_some_and(|q| q <= SHORT_DENOMINATOR) && size(&peak.squared) <= SHORT_BITS;
         let mut outcome = Some((0, NotShown::Limits));
         if short {
             outcome = first_failure(chain, &peak.squared);
@@ -110,6 +113,10 @@ fn search(chain: &Chain, pieces: &crate::curve::Chain, options: &Options) -> (Op
             outcome = first_failure(chain, &upper);
             if outcome.is_none() {
                 let lower = down(&peak.squared, bits);
+                if size(&lower).max(size(&upper)) > MAXIMUM_BITS {
+                    let why = "the curvature is too great or too small to be written down";
+                    return (None, Status::Undecided(why.into()));
+                }
                 // L/U ≥ 1 − width of the roots.
                 let rest = &one - &options.relative_width;
                 let close = lower >= &upper * &rest * &rest;
@@ -149,10 +156,16 @@ fn content(peak: &Peak, lower_squared: Rational, upper_squared: Rational) -> Con
     }
 }
 
-/// The first piece whose curvature is not shown to be at most a bound.
+/// The longer of numerator and denominator, in bits.
+fn size(x: &Rational) -> u64 {
+    x.numer().bits().max(x.denom().bits())
+}
+
+/// A piece whose curvature is not shown to be at most a bound: the first with a parameter where it is greater, else the first.
 fn first_failure(chain: &Chain, upper_squared: &Rational) -> Option<(usize, NotShown)> {
-    (0..chain.pieces.len()).into_par_iter().find_map_first(|piece| {
+    let failures = (0..chain.pieces.len()).into_par_iter().filter_map(|piece| {
         let shown = Field::new(chain, piece).show_bound(upper_squared);
         shown.err().map(|why| (piece, why))
-    })
+    });
+    failures.min_by_key(|(piece, why)| (*why == NotShown::Limits, *piece))
 }
