@@ -1,26 +1,22 @@
 //! `knotproof certify curvature`: the greatest curvature.
 
 use std::fmt::Write;
-use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use knotproof::certificate::{Document, Encoding};
-use knotproof::claim::AsClaim;
 use knotproof::curve::{Chain, CurveFile};
 use knotproof::number::{Integer, Rational, RationalExt, decimal_up, sqrt_enclosure};
-use knotproof::prove::curvature::{Certified, CertifyError, Options, Status, certify, write_checked};
+use knotproof::prove::curvature::{Certified, Options, Status, certify};
 use serde::Serialize;
-use tempfile::SpooledTempFile;
 
 use super::msd::{Width, parse_width};
-use super::output_file::{Format, Target, encoding};
+use super::output_file::{Common, write};
 use super::report::{Written, parameter};
+use crate::cli::Exit;
 use crate::cli::curvature_words::{CurvatureLine, in_words};
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 use crate::cli::output::{say, say_json};
-use crate::cli::{Exit, Printing};
 
 /// Roots are enclosed this closely before widths are computed.
 const ROOT_BITS: u32 = 256;
@@ -36,17 +32,8 @@ pub struct Arguments {
     /// How far apart the bounds may be, relative to the upper one: a decimal or a fraction from 1e-30 to 1e-1.
     #[arg(long, value_name = "WIDTH", default_value = "1e-9", allow_hyphen_values = true, value_parser = parse_width)]
     rel_width: Width,
-    /// Write the certificate to this file. It is there only when whole, and accepted by the checker.
-    #[arg(long, short, value_name = "CERT")]
-    output: Option<PathBuf>,
-    /// The form of the certificate [default: binary when the name of CERT ends in ".bin", else json]
-    #[arg(long, value_enum, requires = "output")]
-    format: Option<Format>,
-    /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
-    #[arg(long)]
-    snap_joints: bool,
     #[command(flatten)]
-    printing: Printing,
+    common: Common,
 }
 
 /// The object of `--json`.
@@ -73,8 +60,8 @@ struct ForPrograms {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let target = Target::new(arguments.output.as_deref(), &arguments.curve)?;
-    let file = arguments.curve.read_curve(arguments.snap_joints)?;
+    let target = arguments.common.target(&arguments.curve)?;
+    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
     let options = Options {
         relative_width: arguments.rel_width.value.clone(),
         name: file.name.clone(),
@@ -84,45 +71,18 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let found = certify(&file.curve, &options).map_err(|error| Failure::at(&arguments.curve, error))?;
     let written = match &found.document {
         None => None,
-        Some(document) => write(document, target.as_ref(), arguments.format)?,
+        Some(document) => write(document, target.as_ref(), arguments.common.format)?,
     };
     let seconds = start.elapsed().as_secs_f64();
-    if arguments.printing.json {
+    if arguments.common.printing.json {
         say_json(&for_programs(arguments, &file, &found, written.as_ref(), seconds))?;
-    } else if !arguments.printing.quiet {
+    } else if !arguments.common.printing.quiet {
         say(&for_people(arguments, &file, &found, written.as_ref(), seconds))?;
     }
     Ok(match found.status {
         Status::Certified => Exit::Success,
         Status::Undecided(_) => Exit::Undecided,
     })
-}
-
-/// Writes the certificate, or lets the checker replay it all the same when no file is asked for.
-pub fn write<C: AsClaim>(
-    document: &Document<C>,
-    target: Option<&Target>,
-    format: Option<Format>,
-) -> Result<Option<Written>, Failure> {
-    match target {
-        Some(target) => {
-            let encoding = encoding(format, target.path());
-            let write = |file: &mut _| write_checked(document, encoding, file).map_err(|error| failure(&error));
-            target.write(write).map(Some)
-        }
-        None => {
-            let mut nowhere = SpooledTempFile::new(1 << 26);
-            write_checked(document, Encoding::Binary, &mut nowhere).map_err(|error| failure(&error))?;
-            Ok(None)
-        }
-    }
-}
-
-fn failure(error: &CertifyError) -> Failure {
-    match error {
-        CertifyError::Io(error) => Failure::io("the certificate", "cannot be written", error),
-        CertifyError::Refuted(_) => Failure::new(format!("{error}; this is an error of knotproof, please report it")),
-    }
 }
 
 /// The knot values of corners.

@@ -1,7 +1,6 @@
 //! `knotproof certify deviation`: the distance between a curve and its control polygon.
 
 use std::fmt::Write as _;
-use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
@@ -11,14 +10,13 @@ use knotproof::prove::deviation::{Options, certify};
 use knotproof::prove::domain::Status;
 use serde::Serialize;
 
-use super::curvature::write;
 use super::msd::{Width, parse_width};
-use super::output_file::{Format, Target};
+use super::output_file::{Common, write};
+use crate::cli::Exit;
 use crate::cli::deviation_words::{DeviationLine, in_words};
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 use crate::cli::output::{say, say_json};
-use crate::cli::{Exit, Printing};
 
 /// Digits of the bound.
 const BOUND_DIGITS: usize = 6;
@@ -37,17 +35,8 @@ pub struct Arguments {
     /// How far apart the bounds of the squared distance may be, relative to the upper one: a decimal or a fraction from 1e-30 to 1e-1.
     #[arg(long, value_name = "WIDTH", default_value = "1e-6", allow_hyphen_values = true, value_parser = parse_width)]
     rel_width: Width,
-    /// Write the certificate to this file. It is there only when whole, and accepted by the checker.
-    #[arg(long, short, value_name = "CERT")]
-    output: Option<PathBuf>,
-    /// The form of the certificate [default: binary when the name of CERT ends in ".bin", else json]
-    #[arg(long, value_enum, requires = "output")]
-    format: Option<Format>,
-    /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
-    #[arg(long)]
-    snap_joints: bool,
     #[command(flatten)]
-    printing: Printing,
+    common: Common,
 }
 
 #[derive(Serialize)]
@@ -69,8 +58,8 @@ struct ForPrograms {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let target = Target::new(arguments.output.as_deref(), &arguments.curve)?;
-    let file = arguments.curve.read_curve(arguments.snap_joints)?;
+    let target = arguments.common.target(&arguments.curve)?;
+    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
     let options = Options {
         subdivisions: arguments.subdivisions,
         relative_width: arguments.rel_width.value.clone(),
@@ -81,7 +70,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let found = certify(&file.curve, &options).map_err(|error| Failure::at(&arguments.curve, error))?;
     let written = match &found.document {
         None => None,
-        Some(document) => write(document, target.as_ref(), arguments.format)?,
+        Some(document) => write(document, target.as_ref(), arguments.common.format)?,
     };
     let seconds = start.elapsed().as_secs_f64();
     let bound = found
@@ -97,7 +86,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         None => Exit::Success,
         Some(_) => Exit::Undecided,
     };
-    if arguments.printing.json {
+    if arguments.common.printing.json {
         say_json(&ForPrograms {
             status: if reason.is_none() { "certified" } else { "undecided" },
             reason,
@@ -109,7 +98,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             seconds,
             certificate: written.map(|written| written.path.display().to_string()),
         })?;
-    } else if !arguments.printing.quiet {
+    } else if !arguments.common.printing.quiet {
         let name = match &file.name {
             Some(name) => format!("{name:?}"),
             None => arguments.curve.to_string(),

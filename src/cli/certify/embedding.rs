@@ -1,6 +1,5 @@
 //! `knotproof certify embedding`: no two parameters with one point.
 
-use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
@@ -12,15 +11,15 @@ use knotproof::prove::msd::{self, CertifyError};
 use serde::Serialize;
 use tempfile::{NamedTempFile, SpooledTempFile};
 
-use super::output_file::{Format, Target, encoding};
+use super::output_file::{Common, Target, encoding};
 use super::progress::Progress;
 use super::report::Written;
+use crate::cli::Exit;
 use crate::cli::bounds::leaves_in_words;
 use crate::cli::embedding_words::{EmbeddingLine, in_words};
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 use crate::cli::output::{say, say_json};
-use crate::cli::{Exit, Printing};
 
 /// Is the curve embedded: does it pass through no point twice?
 ///
@@ -38,17 +37,8 @@ pub struct Arguments {
     /// How many threads search; the certificate does not depend on it [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Write the certificate to this file. It is there only when whole, and accepted by the checker.
-    #[arg(long, short, value_name = "CERT")]
-    output: Option<PathBuf>,
-    /// The form of the certificate [default: binary when the name of CERT ends in ".bin", else json]
-    #[arg(long, value_enum, requires = "output")]
-    format: Option<Format>,
-    /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
-    #[arg(long)]
-    snap_joints: bool,
     #[command(flatten)]
-    printing: Printing,
+    common: Common,
 }
 
 /// What `--json` prints.
@@ -73,19 +63,19 @@ struct Line {
 
 /// Runs the subcommand.
 pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
-    let target = Target::new(arguments.output.as_deref(), &arguments.curve)?;
+    let target = arguments.common.target(&arguments.curve)?;
     if let Some(threads) = arguments.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         pool.build_global().map_err(|error| Failure::at("--threads", error))?;
     }
-    let file = arguments.curve.read_curve(arguments.snap_joints)?;
+    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
     let options = Options {
         budget: arguments.budget,
         name: file.name.clone(),
         snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
     };
     let start = Instant::now();
-    let progress = Progress::new(arguments.printing.quiet);
+    let progress = Progress::new(arguments.common.printing.quiet);
     let outcome = certify(&file.curve, &options, &|part| progress.at(part)).map_err(|error| match error {
         CertifyError::PointPiece { .. } => Failure::at(&arguments.curve, error),
         error => failure(&error, None),
@@ -146,9 +136,9 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     drop(progress);
     line.seconds = start.elapsed().as_secs_f64();
     line.certificate = written.as_ref().map(|written| written.path.display().to_string());
-    if arguments.printing.json {
+    if arguments.common.printing.json {
         say_json(&line)?;
-    } else if !arguments.printing.quiet {
+    } else if !arguments.common.printing.quiet {
         let mut text = format!("{}: {words}\n", line.status);
         match &written {
             Some(written) => text.push_str(&format!(
@@ -201,7 +191,7 @@ fn keep(
         certified.check_alone().map_err(|error| failure(&error, None))?;
         return Ok(None);
     };
-    let encoding = encoding(arguments.format, target.path());
+    let encoding = encoding(arguments.common.format, target.path());
     let written = target.write(|file| {
         certified.write_checked_to(encoding, file).map_err(|error| {
             let size = file.as_file().metadata().map_or(0, |metadata| metadata.len());

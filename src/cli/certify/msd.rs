@@ -1,6 +1,5 @@
 //! `knotproof certify msd`: the minimum separation distance.
 
-use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
@@ -10,13 +9,13 @@ use knotproof::number::{Integer, Meaning, Rational, parse_number};
 use knotproof::prove::msd::{Certified, CertifyError, Options, Status, certify};
 use tempfile::SpooledTempFile;
 
-use super::output_file::{Format, Target, encoding};
+use super::output_file::{Common, Target, encoding};
 use super::progress::Progress;
 use super::report::{Report, Written};
+use crate::cli::Exit;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 use crate::cli::output::{say, say_json};
-use crate::cli::{Exit, Printing};
 
 /// The minimum separation distance σ: the length of the shortest double normal
 ///
@@ -39,17 +38,8 @@ pub struct Arguments {
     /// How many threads search; the certificate does not depend on it [default: one for each core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Write the certificate to this file. It is there only when whole, and accepted by the checker.
-    #[arg(long, short, value_name = "CERT")]
-    output: Option<PathBuf>,
-    /// The form of the certificate [default: binary when the name of CERT ends in ".bin", else json]
-    #[arg(long, value_enum, requires = "output")]
-    format: Option<Format>,
-    /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
-    #[arg(long)]
-    snap_joints: bool,
     #[command(flatten)]
-    printing: Printing,
+    common: Common,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -84,12 +74,12 @@ pub fn parse_width(text: &str) -> Result<Width, String> {
 
 /// Runs the subcommand.
 pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
-    let target = Target::new(arguments.output.as_deref(), &arguments.curve)?;
+    let target = arguments.common.target(&arguments.curve)?;
     if let Some(threads) = arguments.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         pool.build_global().map_err(|error| Failure::at("--threads", error))?;
     }
-    let file = arguments.curve.read_curve(arguments.snap_joints)?;
+    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
     let options = Options {
         convention: match arguments.convention {
             ConventionName::Smooth => Convention::Smooth,
@@ -101,7 +91,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
     };
     let start = Instant::now();
-    let progress = Progress::new(arguments.printing.quiet);
+    let progress = Progress::new(arguments.common.printing.quiet);
     let mut certified = certify(&file.curve, &options, &|part| progress.at(part)).map_err(|error| match error {
         CertifyError::PointPiece { .. } => Failure::at(&arguments.curve, error),
         error => failure(&error, None),
@@ -110,7 +100,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     let written = match target {
         Some(target) => Some(write(
             &mut certified,
-            encoding(arguments.format, target.path()),
+            encoding(arguments.common.format, target.path()),
             &target,
         )?),
         None => {
@@ -131,9 +121,9 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         seconds,
         written,
     };
-    if arguments.printing.json {
+    if arguments.common.printing.json {
         say_json(&report.for_programs())?;
-    } else if !arguments.printing.quiet {
+    } else if !arguments.common.printing.quiet {
         say(&report.for_people())?;
     }
     Ok(match certified.status {

@@ -1,14 +1,17 @@
 //! Where a certificate is written.
 
 use std::ffi::OsStr;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use clap::ValueEnum;
-use knotproof::certificate::Encoding;
-use tempfile::NamedTempFile;
+use clap::{Args, ValueEnum};
+use knotproof::certificate::{Document, Encoding};
+use knotproof::claim::AsClaim;
+use knotproof::prove::domain::{CertifyError, write_checked};
+use tempfile::{NamedTempFile, SpooledTempFile};
 
 use super::atomic_file::AtomicFile;
 use super::report::Written;
+use crate::cli::Printing;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 
@@ -19,6 +22,30 @@ pub enum Format {
     Json,
     /// Compact, for large ones
     Binary,
+}
+
+/// What every claim's command takes beside its own options.
+#[derive(Args)]
+pub struct Common {
+    /// Write the certificate to this file. It is there only when whole, and accepted by the checker.
+    #[arg(long, short, value_name = "CERT")]
+    output: Option<PathBuf>,
+    /// The form of the certificate [default: binary when the name of CERT ends in ".bin", else json]
+    #[arg(long, value_enum, requires = "output")]
+    pub format: Option<Format>,
+    /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
+    #[arg(long)]
+    pub snap_joints: bool,
+    /// What is printed.
+    #[command(flatten)]
+    pub printing: Printing,
+}
+
+impl Common {
+    /// The place of the certificate.
+    pub fn target(&self, curve: &Input) -> Result<Option<Target>, Failure> {
+        Target::new(self.output.as_deref(), curve)
+    }
 }
 
 /// The form asked for, or that of the file's name.
@@ -74,5 +101,32 @@ impl Target {
             path: self.path().to_path_buf(),
             bytes,
         })
+    }
+}
+
+/// Writes the certificate, or lets the checker replay it all the same when no file is asked for.
+pub fn write<C: AsClaim>(
+    document: &Document<C>,
+    target: Option<&Target>,
+    format: Option<Format>,
+) -> Result<Option<Written>, Failure> {
+    match target {
+        Some(target) => {
+            let encoding = encoding(format, target.path());
+            let write = |file: &mut _| write_checked(document, encoding, file).map_err(|error| failure(&error));
+            target.write(write).map(Some)
+        }
+        None => {
+            let mut nowhere = SpooledTempFile::new(1 << 26);
+            write_checked(document, Encoding::Binary, &mut nowhere).map_err(|error| failure(&error))?;
+            Ok(None)
+        }
+    }
+}
+
+fn failure(error: &CertifyError) -> Failure {
+    match error {
+        CertifyError::Io(error) => Failure::io("the certificate", "cannot be written", error),
+        CertifyError::Refuted(_) => Failure::new(format!("{error}; this is an error of knotproof, please report it")),
     }
 }

@@ -1,7 +1,6 @@
 //! `knotproof certify thickness`: the smaller of the least radius of curvature and σ/2.
 
 use std::fmt::Write;
-use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
@@ -15,15 +14,15 @@ use serde::Serialize;
 use tempfile::SpooledTempFile;
 
 use super::msd::{Width, parse_width};
-use super::output_file::{Format, Target, encoding};
+use super::output_file::{Common, Format, Target, encoding};
 use super::progress::Progress;
 use super::report::{Written, parameter};
+use crate::cli::Exit;
 use crate::cli::bounds::leaves_in_words;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 use crate::cli::output::{say, say_json};
 use crate::cli::thickness_words::{ThicknessLine, in_words, subject};
-use crate::cli::{Exit, Printing};
 
 /// The thickness of a curve: the smaller of its least radius of curvature and half its minimum separation distance
 ///
@@ -42,17 +41,8 @@ pub struct Arguments {
     /// How many leaves the cover tree may have at most [default: 500,000 and 64 for each piece]
     #[arg(long, value_name = "LEAVES", value_parser = clap::value_parser!(u64).range(1..))]
     budget: Option<u64>,
-    /// Write the certificate to this file. It is there only when whole, and accepted by the checker.
-    #[arg(long, short, value_name = "CERT")]
-    output: Option<PathBuf>,
-    /// The form of the certificate [default: binary when the name of CERT ends in ".bin", else json]
-    #[arg(long, value_enum, requires = "output")]
-    format: Option<Format>,
-    /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
-    #[arg(long)]
-    snap_joints: bool,
     #[command(flatten)]
-    printing: Printing,
+    common: Common,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -87,8 +77,8 @@ struct ForPrograms {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let target = Target::new(arguments.output.as_deref(), &arguments.curve)?;
-    let file = arguments.curve.read_curve(arguments.snap_joints)?;
+    let target = arguments.common.target(&arguments.curve)?;
+    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
     let options = Options {
         convention: match arguments.convention {
             ConventionName::Smooth => Convention::Smooth,
@@ -100,11 +90,11 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
     };
     let start = Instant::now();
-    let progress = Progress::new(arguments.printing.quiet);
+    let progress = Progress::new(arguments.common.printing.quiet);
     let found = certify(&file.curve, &options, &|part| progress.at(part));
     let mut found = found.map_err(|error| Failure::at(&arguments.curve, error))?;
     progress.checking();
-    let written = write(&mut found, target.as_ref(), arguments.format)?;
+    let written = write(&mut found, target.as_ref(), arguments.common.format)?;
     drop(progress);
     let report = Report {
         arguments,
@@ -113,9 +103,9 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         written,
         seconds: start.elapsed().as_secs_f64(),
     };
-    if arguments.printing.json {
+    if arguments.common.printing.json {
         say_json(&report.for_programs())?;
-    } else if !arguments.printing.quiet {
+    } else if !arguments.common.printing.quiet {
         say(&report.for_people())?;
     }
     Ok(match found.status {

@@ -51,7 +51,7 @@ impl Arguments {
             }
         };
         let empty = done.iter().all(|level| level.vertices == 0);
-        if self.printing.json {
+        if self.common.printing.json {
             say_json(&LevelsLine {
                 status: if reached && !empty { "done" } else { "undecided" },
                 statement: DomainOnly::new(problem),
@@ -59,7 +59,7 @@ impl Arguments {
                 first_non_empty: done.iter().find(|level| level.vertices > 0).map(|level| level.level),
                 levels: done.iter().map(|level| LevelLine::new(level, D)).collect(),
             })?;
-        } else if !self.printing.quiet {
+        } else if !self.common.printing.quiet {
             say(&table(&done, D))?;
         }
         Ok(if reached && !empty {

@@ -3,28 +3,22 @@
 mod levels;
 mod report;
 
-use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use knotproof::certificate::{Document, Encoding};
-use knotproof::claim::domain::{Box as Corners, Content, Sign};
+use knotproof::claim::domain::{Box as Corners, Sign};
 use knotproof::curve::CurveFile;
 use knotproof::number::{Meaning, Rational, parse_number};
 use knotproof::prove::domain::questions::{About, AnswerError, answer, usual_width};
-use knotproof::prove::domain::{
-    Bounds, Certified, CertifyError, Options, Problem, Question, Status, certify, write_checked,
-};
+use knotproof::prove::domain::{Bounds, Certified, Options, Problem, Question, Status, certify};
 use knotproof::prove::linear_program::GoodLp;
 use report::Report;
-use tempfile::SpooledTempFile;
 
-use super::output_file::{Format, Target, encoding};
-use super::report::Written;
+use super::output_file::{Common, write};
+use crate::cli::Exit;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 use crate::cli::output::{say, say_json};
-use crate::cli::{Exit, Printing};
 
 /// Levels of the paper's algorithm at most.
 const MOST_LEVELS: u32 = 24;
@@ -72,10 +66,10 @@ pub struct Arguments {
     #[arg(long, group = "question", conflicts_with_all = ["degree", "level"])]
     ball: bool,
     /// The paper's algorithm, the sign function written in this degree.
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, conflicts_with = "output")]
     degree: Option<DegreeName>,
     /// The paper's algorithm up to this level, whatever the tolerance.
-    #[arg(long, value_name = "LEVEL", value_parser = clap::value_parser!(u32).range(0..=i64::from(MOST_LEVELS)))]
+    #[arg(long, value_name = "LEVEL", conflicts_with = "output", value_parser = clap::value_parser!(u32).range(0..=i64::from(MOST_LEVELS)))]
     level: Option<u32>,
     /// Print areas and volumes of the levels as exact fractions too.
     #[arg(long)]
@@ -83,17 +77,8 @@ pub struct Arguments {
     /// How many inequalities the outer polytope may have at most.
     #[arg(long, value_name = "ROWS", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..))]
     budget: u32,
-    /// Write the certificate to this file. It is there only when whole, and accepted by the checker.
-    #[arg(long, short, value_name = "CERT", conflicts_with_all = ["degree", "level"])]
-    output: Option<PathBuf>,
-    /// The form of the certificate [default: binary when the name of CERT ends in ".bin", else json]
-    #[arg(long, value_enum, requires = "output")]
-    format: Option<Format>,
-    /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
-    #[arg(long)]
-    snap_joints: bool,
     #[command(flatten)]
-    printing: Printing,
+    common: Common,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -136,8 +121,8 @@ fn tolerance(text: &str) -> Result<Rational, String> {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let target = Target::new(arguments.output.as_deref(), &arguments.curve)?;
-    let file = arguments.curve.read_curve(arguments.snap_joints)?;
+    let target = arguments.common.target(&arguments.curve)?;
+    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
     let problem = arguments.problem(&file)?;
     if arguments.degree.is_some() || arguments.level.is_some() {
         return match file.curve.dimension() {
@@ -160,7 +145,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     let written = match &found.document {
         None => None,
-        Some(document) => write(document, target.as_ref(), arguments.format)?,
+        Some(document) => write(document, target.as_ref(), arguments.common.format)?,
     };
     let report = Report {
         input: &arguments.curve,
@@ -172,42 +157,15 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         written,
         seconds: start.elapsed().as_secs_f64(),
     };
-    if arguments.printing.json {
+    if arguments.common.printing.json {
         say_json(&report.for_programs())?;
-    } else if !arguments.printing.quiet {
+    } else if !arguments.common.printing.quiet {
         say(&report.for_people())?;
     }
     Ok(match found.status {
         Status::Certified => Exit::Success,
         Status::Undecided(_) => Exit::Undecided,
     })
-}
-
-/// Writes the certificate, or lets the checker replay it all the same when no file is asked for.
-fn write(
-    document: &Document<Content>,
-    target: Option<&Target>,
-    format: Option<Format>,
-) -> Result<Option<Written>, Failure> {
-    match target {
-        Some(target) => {
-            let encoding = encoding(format, target.path());
-            let write = |file: &mut _| write_checked(document, encoding, file).map_err(|error| failure(&error));
-            target.write(write).map(Some)
-        }
-        None => {
-            let mut nowhere = SpooledTempFile::new(1 << 26);
-            write_checked(document, Encoding::Json, &mut nowhere).map_err(|error| failure(&error))?;
-            Ok(None)
-        }
-    }
-}
-
-fn failure(error: &CertifyError) -> Failure {
-    match error {
-        CertifyError::Io(error) => Failure::io("the certificate", "cannot be written", error),
-        CertifyError::Refuted(_) => Failure::new(format!("{error}; this is an error of knotproof, please report it")),
-    }
 }
 
 impl Arguments {
