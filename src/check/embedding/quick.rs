@@ -55,7 +55,7 @@ fn slope_at_least<W: Word>(context: &Context, node: &Node, n: &[Integer; 3], bou
         return Some(false);
     }
     let tangents = Tangents::<W>::new(context, node)?;
-    if tangents.all().len() < pieces.iter().map(|piece| piece.degree).sum() {
+    if tangents.all().len() < pieces.iter().map(|piece| piece.degree).sum::<usize>() {
         return Some(false);
     }
     let (numerator, denominator) = factors::<W>(n, bound)?;
