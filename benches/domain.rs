@@ -37,6 +37,7 @@ fn found<'c>(curve: &'c Curve, problem: &Problem, tolerance: Rational) -> Certif
         budget: 100_000,
         name: None,
         snapped_joints: None,
+        measure_rounds: false,
         solver: &GoodLp,
     };
     certify(curve, problem, &options)

@@ -231,6 +231,7 @@ mod proved {
                 budget: 2000,
                 name: Some(name.into()),
                 snapped_joints: None,
+                measure_rounds: false,
                 solver: &GoodLp,
             };
             let found = domain::certify(&curve, &problem, &options(3)).document.expect(name);

@@ -57,6 +57,7 @@ fn options(solver: &dyn FloatSolver) -> Options<'_> {
         budget: 20_000,
         name: None,
         snapped_joints: None,
+        measure_rounds: false,
         solver,
     }
 }

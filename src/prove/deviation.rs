@@ -84,6 +84,19 @@ struct Peak {
     evidence: Evidence,
 }
 
+impl Peak {
+    fn new(all: &[Vec<Part>], piece: usize, part: usize, u: Rational) -> Peak {
+        Peak {
+            squared: all[piece][part].squared_at(&u),
+            evidence: Evidence {
+                piece,
+                part: part as u64,
+                u,
+            },
+        }
+    }
+}
+
 /// Certifies the greatest distance between a curve and its control polygon.
 ///
 /// # Errors
@@ -97,12 +110,18 @@ pub fn certify<'c>(curve: &'c Curve, options: &Options) -> Result<Certified<'c>,
         .collect();
     let polynomial = chain.pieces.iter().all(|piece| !piece.rational);
     let bound_squared = polynomial.then(|| all.par_iter().flatten().map(bound_squared).max().unwrap_or_default());
-    let mut peak = all
+    let (_, piece, j, u) = all
         .par_iter()
         .enumerate()
-        .flat_map_iter(|(piece, parts)| parts.iter().enumerate().map(move |(j, part)| highest(part, piece, j)))
-        .max_by(|a, b| a.squared.cmp(&b.squared))
+        .flat_map_iter(|(piece, parts)| {
+            parts.iter().enumerate().map(move |(j, part)| {
+                let (squared, u) = highest(part);
+                (squared, piece, j, u)
+            })
+        })
+        .max_by(|a, b| a.0.total_cmp(&b.0).then((b.1, b.2).cmp(&(a.1, a.2))))
         .expect("a curve has a piece");
+    let mut peak = Peak::new(&all, piece, j, u);
     let half = &options.relative_width / Rational::from_integer(2.into());
     let mut upper_squared = Rational::from_integer(Integer::ZERO);
     let mut shown = false;
@@ -129,14 +148,7 @@ pub fn certify<'c>(curve: &'c Curve, options: &Options) -> Result<Certified<'c>,
                 let v = Rational::new(Integer::from(numerator), Integer::ONE << halvings as u32);
                 let part = &all[piece][j];
                 let u = (Rational::from_integer(edge.into()) + v) / Rational::from_integer(part.degree().into());
-                let found = Peak {
-                    squared: part.squared_at(&u),
-                    evidence: Evidence {
-                        piece,
-                        part: j as u64,
-                        u,
-                    },
-                };
+                let found = Peak::new(&all, piece, j, u);
                 if found.squared > peak.squared {
                     peak = found;
                 }
@@ -207,8 +219,8 @@ fn bound_squared(part: &Part) -> Rational {
     second.max().unwrap_or_default() * &factor * &factor
 }
 
-/// Roughly the greatest distance of a part, by samples in binary64; exact at the place found.
-fn highest(part: &Part, piece: usize, number: usize) -> Peak {
+/// Roughly the greatest squared distance of a part, by samples in binary64, and a parameter for it.
+fn highest(part: &Part) -> (f64, Rational) {
     let n = part.degree();
     let points: Vec<Vec<f64>> = (0..=n)
         .map(|k| part.control_point(k).iter().map(RationalExt::to_f64).collect())
@@ -253,13 +265,8 @@ fn highest(part: &Part, piece: usize, number: usize) -> Peak {
         }
     }
     let whole = 2f64.powi(BITS as i32);
-    let u = Rational::new(Integer::from((u * whole).round() as i64), Integer::ONE << BITS);
-    Peak {
-        squared: part.squared_at(&u),
-        evidence: Evidence {
-            piece,
-            part: number as u64,
-            u,
-        },
-    }
+    (
+        squared(u),
+        Rational::new(Integer::from((u * whole).round() as i64), Integer::ONE << BITS),
+    )
 }

@@ -67,6 +67,17 @@ fn the_sandwich_is_written_and_accepted_by_check() {
             "{json}"
         );
         let levels = json["levels"].as_array().expect("a list");
+        for level in levels {
+            let [low, high] = [0, 1].map(|end| number(&level[name][end]));
+            assert!(
+                low <= high && number(&level["relative_error"]) >= fraction("0"),
+                "{json}"
+            );
+        }
+        assert!(
+            number(&levels[levels.len() - 1]["relative_error"]) <= fraction("1e-3"),
+            "{json}"
+        );
         for field in ["level", "inequalities", "vertices", "facets"] {
             assert!(levels.iter().all(|level| level[field].is_u64()), "{json}");
         }

@@ -190,6 +190,7 @@ fn recomputed(document: &Document) -> bool {
         budget: 5000,
         name: None,
         snapped_joints: None,
+        measure_rounds: false,
         solver: &GoodLp,
     };
     let found = certify(&document.curve, &problem, &options).document;

@@ -33,6 +33,8 @@ pub struct Options<'s> {
     pub name: Option<String>,
     /// How many joints were moved together on reading.
     pub snapped_joints: Option<u64>,
+    /// Measure the polytopes of every round exactly, not only those of the last.
+    pub measure_rounds: bool,
     /// Suggests solutions of linear programs; what it says is never trusted.
     pub solver: &'s dyn FloatSolver,
 }
@@ -172,7 +174,7 @@ fn certify_in<'c, const D: usize>(curve: &'c Curve, problem: &Problem, options: 
         }
     };
     let tolerance = options.tolerance.to_f64();
-    let Some(mut search) = Search::new(&context, center, tolerance) else {
+    let Some(mut search) = Search::new(&context, center, tolerance, options.measure_rounds) else {
         return undecided("no point of the domain was found", rounds);
     };
     let mut best = None;

@@ -38,7 +38,9 @@ pub struct Round {
     /// Points that span the inner polytope.
     pub inner_points: usize,
     /// Estimates of the measures in binary64.
-    pub measures: [f64; 2],
+    pub estimates: [f64; 2],
+    /// The measures after rounding and exact checks, if they were asked for and found.
+    pub measures: Option<[Rational; 2]>,
     /// Seconds since the beginning.
     pub seconds: f64,
 }
@@ -71,6 +73,7 @@ pub struct Search<'a, const D: usize> {
     taken: Vec<BTreeMap<u64, ()>>,
     polytope: Polytope<D>,
     tolerance: f64,
+    measure_rounds: bool,
     started: Instant,
 }
 
@@ -88,7 +91,7 @@ const WHOLE: u64 = 1 << 63;
 
 impl<'a, const D: usize> Search<'a, D> {
     /// Begins with the box and rows at the ends and middles of all sections; `None` if the center is not shown in K and inside the box.
-    pub fn new(context: &'a Context<'a>, center: [Rational; D], tolerance: f64) -> Option<Self> {
+    pub fn new(context: &'a Context<'a>, center: [Rational; D], tolerance: f64, measure_rounds: bool) -> Option<Self> {
         let bounds = &context.domain.bounds;
         let corner = |corner: &[Rational]| -> Option<[Rational; D]> { corner.to_vec().try_into().ok() };
         let integers = RationalVector::from_rationals(&center);
@@ -104,6 +107,7 @@ impl<'a, const D: usize> Search<'a, D> {
             taken: vec![BTreeMap::new(); context.sections.len()],
             polytope: Polytope::from_box(&corner(&bounds.low)?, &corner(&bounds.high)?)?,
             tolerance,
+            measure_rounds,
             started: Instant::now(),
         };
         for section in 0..context.sections.len() {
@@ -164,7 +168,14 @@ impl<'a, const D: usize> Search<'a, D> {
                 vertices: self.polytope.vertex_count(),
                 facets: self.polytope.facet_count(),
                 inner_points: rays.inner.len(),
-                measures: [inner_measure, outer_measure],
+                estimates: [inner_measure, outer_measure],
+                measures: match self.measure_rounds {
+                    true => self
+                        .evidence()
+                        .ok()
+                        .map(|found| [found.inner_measure, found.outer_measure]),
+                    false => None,
+                },
                 seconds: self.started.elapsed().as_secs_f64(),
             });
             if outer_measure - inner_measure <= target * inner_measure {

@@ -71,7 +71,7 @@ pub struct Arguments {
     /// The paper's algorithm up to this level, whatever the tolerance.
     #[arg(long, value_name = "LEVEL", conflicts_with = "output", value_parser = clap::value_parser!(u32).range(0..=i64::from(MOST_LEVELS)))]
     level: Option<u32>,
-    /// Print areas and volumes of the levels as exact fractions too.
+    /// Print areas and volumes of the levels (with --json, of the rounds) as exact fractions too.
     #[arg(long)]
     exact_measure: bool,
     /// How many inequalities the outer polytope may have at most.
@@ -136,6 +136,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         budget: arguments.budget as usize,
         name: file.name.clone(),
         snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
+        measure_rounds: arguments.common.printing.json,
         solver: &GoodLp,
     };
     let start = Instant::now();
@@ -148,6 +149,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Some(document) => write(document, target.as_ref(), arguments.common.format)?,
     };
     let report = Report {
+        exact_measure: arguments.exact_measure,
         input: &arguments.curve,
         file: &file,
         problem: &problem,

@@ -12,7 +12,7 @@ use knotproof::prove::domain::{Problem, Status};
 use serde::Serialize;
 
 use crate::cli::certify::report::Written;
-use crate::cli::domain_words::{DomainLine, decimals, in_words, quantity};
+use crate::cli::domain_words::{DomainLine, decimals, in_words, quantity, relative_error};
 use crate::cli::input::Input;
 
 /// What there is to tell.
@@ -31,6 +31,8 @@ pub struct Report<'a> {
     pub rounds: &'a [Round],
     /// The certificate's file.
     pub written: Option<Written>,
+    /// Are exact measures of every round asked for?
+    pub exact_measure: bool,
     /// How long it took.
     pub seconds: f64,
 }
@@ -63,9 +65,15 @@ struct RoundLine {
     vertices: usize,
     facets: usize,
     inner_points: usize,
-    /// Of the inner and of the outer polytope, in binary64: what the refinement saw, not what is proved.
-    measure_estimates: [f64; 2],
-    relative_error_estimate: f64,
+    /// Between the measures of the inner and the outer polytope of the round.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    area: Option<[String; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    volume: Option<[String; 2]>,
+    /// The same as exact fractions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exact_measures: Option<[String; 2]>,
+    relative_error: Option<String>,
     seconds: f64,
 }
 
@@ -167,7 +175,9 @@ impl Report<'_> {
             place: self
                 .document
                 .and_then(|document| Place::of(&document.curve, &document.claim)),
-            levels: rounds.map(|(level, round)| RoundLine::new(level, round)).collect(),
+            levels: rounds
+                .map(|(level, round)| RoundLine::new(level, round, plane, self.exact_measure))
+                .collect(),
             seconds: self.seconds,
             certificate: self.written.as_ref().map(|written| written.path.display().to_string()),
         }
@@ -272,15 +282,21 @@ impl Report<'_> {
 }
 
 impl RoundLine {
-    fn new(level: usize, round: &Round) -> RoundLine {
+    fn new(level: usize, round: &Round, plane: bool, exact: bool) -> RoundLine {
+        let measures = round.measures.as_ref();
+        let interval = measures.map(|[inner, outer]| decimals(inner, outer));
         RoundLine {
             level,
             inequalities: round.inequalities,
             vertices: round.vertices,
             facets: round.facets,
             inner_points: round.inner_points,
-            measure_estimates: round.measures,
-            relative_error_estimate: (round.measures[1] - round.measures[0]) / round.measures[0],
+            area: interval.clone().filter(|_| plane),
+            volume: interval.filter(|_| !plane),
+            exact_measures: measures
+                .filter(|_| exact)
+                .map(|both| both.each_ref().map(Rational::format)),
+            relative_error: measures.map(|[inner, outer]| relative_error(inner, outer)),
             seconds: round.seconds,
         }
     }

@@ -22,6 +22,7 @@ fn options(tolerance: &str, solver: &'static dyn FloatSolver) -> Options<'static
         budget: 500,
         name: None,
         snapped_joints: None,
+        measure_rounds: false,
         solver,
     }
 }
