@@ -238,6 +238,39 @@ fn what_is_not_reached_is_undecided_and_says_what_is_known() {
     assert!(number(&json["inner_measure"]) > fraction("0"), "{json}");
 }
 
+/// The box touches the closure of K along an edge, where the sign function vanishes only at the open start: nothing rational tells.
+#[test]
+fn a_domain_without_interior_in_the_box_is_undecided() {
+    let folder = TempDir::new().expect("a folder");
+    let curve = folder.path().join("flat.json");
+    let text_of_curve = r#"{ "knotproof": "curve/1", "bezier": { "pieces": [
+        { "points": [[0, 0], [1, 0], [2, 0], [3, 0], [4, 5]] } ] } }"#;
+    std::fs::write(&curve, text_of_curve).expect("writes");
+    let options = ["--point", "3", "--sign=+", "--box-from", "2,-2", "--box-to"];
+    let told = domain(text(&curve), &[&options[..], &["4,0"]].concat()).expect(3).out;
+    assert!(
+        told.contains("undecided") && told.contains("nothing is proved"),
+        "{told}"
+    );
+    // A little higher there is one; a box below is refused, because the control point is not in it.
+    assert!(
+        domain(text(&curve), &[&options[..], &["4,1/1000"]].concat())
+            .expect(0)
+            .out
+            .contains("area")
+    );
+    let lower = [
+        "--point",
+        "3",
+        "--sign=+",
+        "--box-from",
+        "2,-2",
+        "--box-to",
+        "4,-1/1000",
+    ];
+    domain(text(&curve), &lower).expect_error(&["does not contain the control point"]);
+}
+
 #[test]
 fn wrong_questions_are_refused() {
     let refuse = |options: &[&str], parts: &[&str]| domain(CUBIC, options).expect_error(parts);

@@ -142,6 +142,7 @@ fn header_of<C>(raw: RawDocument<'_, C>, block: bool) -> Parsed<(Header<'_>, C)>
     Ok((header, raw.curve))
 }
 
+/// Reads JSON; the place of an error in the whole of it is ".".
 fn parse<'a, T: Deserialize<'a>>(text: &'a [u8]) -> Parsed<T> {
     let mut deserializer = serde_json::Deserializer::from_slice(text);
     let value = serde_path_to_error::deserialize(&mut deserializer).map_err(|error| {
@@ -159,6 +160,14 @@ fn parse<'a, T: Deserialize<'a>>(text: &'a [u8]) -> Parsed<T> {
     Ok(value)
 }
 
+/// An error about the whole of the text is one about the document.
+fn in_document(error: FormatError) -> FormatError {
+    match error {
+        FormatError::Malformed { place, what } if place == "." => FormatError::malformed("document", what),
+        other => other,
+    }
+}
+
 /// Reads a part of the document, whose own place is `within`.
 pub fn parse_within<'a, T: Deserialize<'a>>(text: &'a str, within: &str) -> Parsed<T> {
     parse(text.as_bytes()).map_err(|error| match error {
@@ -170,7 +179,7 @@ pub fn parse_within<'a, T: Deserialize<'a>>(text: &'a str, within: &str) -> Pars
 
 /// Reads the JSON form; the tokens come back as texts.
 pub fn read(text: &[u8]) -> Parsed<(Document<'static>, Vec<String>)> {
-    let Object(raw): Object<RawDocument<Object<RawCurve>>> = parse(text)?;
+    let Object(raw): Object<RawDocument<Object<RawCurve>>> = parse(text).map_err(in_document)?;
     let (header, Object(raw_curve)) = header_of(raw, false)?;
     let curve = curve(raw_curve)?;
     let hash = block::curve_sha256(&curve);
@@ -179,6 +188,6 @@ pub fn read(text: &[u8]) -> Parsed<(Document<'static>, Vec<String>)> {
 
 /// Reads the header of the binary form.
 pub fn read_header(text: &[u8]) -> Parsed<Header<'_>> {
-    let Object(raw): Object<RawDocument<InBlock>> = parse(text)?;
+    let Object(raw): Object<RawDocument<InBlock>> = parse(text).map_err(in_document)?;
     header_of(raw, true).map(|(header, _)| header)
 }
