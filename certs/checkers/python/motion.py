@@ -95,7 +95,8 @@ class Motion:
         for name, shape in (("curve", self.curve), ("polygon", self.polygon)):
             stated, contact = statement[name], evidence[f"{name}_contact"]
             meets = stated is not None and stated["meets_by"] is not None
-            expect((contact is not None) == meets, f"evidence.{name}_contact", "null when and only when meets_by is", contact)
+            wish = "null when and only when meets_by is"
+            expect((contact is not None) == meets, f"evidence.{name}_contact", wish, contact)
             if stated is not None:
                 self.tracks[name] = Track(name, shape, self.places, stated, statement["steps"], contact)
         self.closed = [self.curve] if chain.closed else []

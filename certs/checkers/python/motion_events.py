@@ -1,4 +1,7 @@
-"""The claim `motion`: its events in both forms (FORMAT.md §14).  A move is a list of pairs (number of a point, (x, y, z))."""
+"""The claim `motion`: its events in both forms (FORMAT.md §14).
+
+A move is a list of pairs (number of a point, (x, y, z)).
+"""
 
 import itertools
 from fractions import Fraction

@@ -1,6 +1,7 @@
 """The claim `motion`: the own control points in motion, and what they make of the curve and of its polygon (FORMAT.md §14).
 
-A *shape* is that of a track: its pieces as linear functions (rows) of the own control points.  It stays; the *places* of the points move.
+A *shape* is that of a track: its pieces as linear functions (rows) of the own control points.  It stays, and the
+*places* of the points move.
 """
 
 import math

@@ -187,7 +187,8 @@ class LeafTable:
             for field in node.fields():
                 vectors = [v for v in field if any(v)]
                 require(vectors, "expected a part with a D_k that is not zero, found none")
-                require(all(dot(n, v) > 0 for v in vectors), "expected n·D_k > 0 or D_k = 0 for every k, found another value")
+                holds = all(dot(n, v) > 0 for v in vectors)
+                require(holds, "expected n·D_k > 0 or D_k = 0 for every k, found another value")
 
     def moved(self, pieces):
         """The own control points of these pieces have moved: the leaves that depend on them must hold."""
