@@ -3,16 +3,17 @@
 import hashlib
 from fractions import Fraction
 
-from document import Reject, anything, expect, natural, number, record, require, text, unless, varint
+from curve import MAX_COUNT
+from document import Reject, anything, expect, natural, record, require, text, unless, varint
 from motion_contact import Contact
 from motion_criteria import CRITERIA, Criteria
-from motion_events import binary_events, denominator, json_events, move_bytes
+from motion_events import binary_events, denominator, json_events, move_bytes, time
 from motion_shape import Places, Polygon, Shape
 from motion_table import LeafTable
 
 MAX_STEPS = 100_000_000
 
-TRACK = unless(None, record({"embedded_through": number, "meets_by": unless(None, number)}))
+TRACK = unless(None, record({"embedded_through": time, "meets_by": unless(None, time)}))
 STATEMENT = {"steps": natural(0, MAX_STEPS), "denominator": denominator, "motion_sha256": text(),
              "curve": TRACK, "polygon": TRACK, "criteria": unless(None, CRITERIA)}
 
@@ -99,6 +100,8 @@ class Motion:
             expect((contact is not None) == meets, f"evidence.{name}_contact", wish, contact)
             if stated is not None:
                 self.tracks[name] = Track(name, shape, self.places, stated, statement["steps"], contact)
+        if "polygon" in self.tracks:
+            expect(self.polygon.size <= MAX_COUNT, "statement.polygon", f"at most {MAX_COUNT} edges", self.polygon.size)
         self.closed = [self.curve] if chain.closed else []
         if "polygon" in self.tracks and self.polygon.closed:
             self.closed.append(self.polygon)

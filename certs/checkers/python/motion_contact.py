@@ -1,7 +1,8 @@
 """The claim `motion`: the contacts, proofs that a track meets itself between two frames (FORMAT.md §14)."""
 
 from curve import dot
-from document import expect, integer, items, number, require, variant
+from document import expect, integer, items, require, variant
+from motion_events import time as short
 from motion_shape import Moment
 from msd_upper import crossing, readers, require_order, touch
 
@@ -29,12 +30,17 @@ class Contact:
 
 def check(contact, displacements):
     dimension, where = contact.shape.dimension, contact.where
-    vector, pair = items(integer, dimension), items(number, 2)
+    vector, pair = items(integer, dimension), items(short, 2)
     # the parameters of a track are the same at all times
     parameter, interval = readers(contact.moment(displacements, contact.through))
-    rules = {"touch": {"time": number, "s": parameter, "t": parameter}}
+
+    def place(value, where):
+        short(value, where)
+        return parameter(value, where)
+
+    rules = {"touch": {"time": short, "s": place, "t": place}}
     if dimension == 2:
-        rules["crossing"] = {"time": number, "s": interval, "t": interval, "first": vector, "second": vector}
+        rules["crossing"] = {"time": short, "s": interval, "t": interval, "first": vector, "second": vector}
     else:
         rules["passage"] = {"times": pair, "s": interval, "t": interval, "first": vector, "second": vector,
                             "third": vector}

@@ -12,15 +12,23 @@ from document import Reject, anything, bounded, expect, integer, items, natural,
 TRACKS = ("curve", "polygon")
 MAX_HALVINGS = 60  # of a step in time
 MAX_LEAF = (1 << 64) - 1
+MAX_TIME_BITS = 4_096
 
 track = text(*TRACKS)
+
+
+def time(value, where):
+    """The reader of a time, or of another fraction that is short."""
+    return number(value, where, MAX_TIME_BITS)
+
+
 FORMS = {
     "tree": record({"tree": track, "tokens": anything}),
     "edit": record({"edit": track, "leaf": natural(0, MAX_LEAF), "tokens": anything}),
     "end": record({"end": track}),
     "step": record({"step": items(anything)}),
     "begin": record({"begin": items(anything)}),
-    "go": record({"go": number}),
+    "go": record({"go": time}),
 }
 
 

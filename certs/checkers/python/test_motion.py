@@ -359,6 +359,15 @@ class Contacts(Cases):
             self.reject_both(dip(rule={**touch, field: value}, by="1"), "")
         self.reject_both(dip(rule={**touch, "s": "3", "t": "3"}), "s < t")
 
+    def test_long_fractions(self):
+        """4,096 bits are allowed for times and for the parameters of a touch, 4,097 are not."""
+        for bits, allowed in ((4_096, True), (4_097, False)):
+            fraction = F((1 << bits) - 1 - (1 << (bits - 2)), 1 << (bits - 1))  # nearly 3/2, of so many bits
+            touch = {"rule": "touch", "time": "1", "s": "1/2", "t": "3"}
+            for field in ("time", "s"):
+                rule = {**touch, field: str(fraction)}
+                self.reject_both(dip(by="1", rule=rule), "time ≤ meets_by|differ" if allowed else "bits|fraction")
+
     def test_ends_of_a_closed_curve_are_one(self):
         triangle = polygon((0, 0), (4, 0), (0, 4), (0, 0))
         tree = initial_tree(triangle)
