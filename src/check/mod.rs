@@ -74,10 +74,8 @@ pub enum Place {
         track: &'static str,
         /// Number of the token among those of the event, from 0.
         token: u64,
-        /// First node.
-        a: String,
-        /// Second node.
-        b: String,
+        /// First and second node.
+        nodes: Box<[String; 2]>,
     },
     /// A leaf at the time that an event leads to.
     EventLeaf {
@@ -178,9 +176,12 @@ impl fmt::Display for Place {
                 number,
                 track,
                 token,
-                a,
-                b,
-            } => write!(f, "event {number}, {track}, token {token}, pair ({a}; {b})"),
+                nodes,
+            } => write!(
+                f,
+                "event {number}, {track}, token {token}, pair ({}; {})",
+                nodes[0], nodes[1]
+            ),
             Place::EventLeaf { number, track, leaf } => write!(f, "event {number}, {track}, leaf {leaf}"),
             Place::Contact { track } => write!(f, "contact of the {track}"),
         }

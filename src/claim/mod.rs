@@ -25,7 +25,7 @@ pub enum Claim {
     /// The thickness.
     Thickness(thickness::Content),
     /// A moving curve.
-    Motion(motion::Content),
+    Motion(Box<motion::Content>),
 }
 
 /// A borrowed [`Claim`].

@@ -116,7 +116,7 @@ impl Header<'_> {
             "motion" => {
                 let (content, events) = motion::read(self.statement, self.evidence, self.block, dimension)?;
                 motion_events = Some(events);
-                (Claim::Motion(content), Vec::new())
+                (Claim::Motion(Box::new(content)), Vec::new())
             }
             other => {
                 let what = format!(
