@@ -25,5 +25,8 @@ mod help;
 #[path = "cli/run.rs"]
 mod run;
 #[cfg(feature = "prove")]
+#[path = "cli/show.rs"]
+mod show;
+#[cfg(feature = "prove")]
 #[path = "cli/usage.rs"]
 mod usage;

@@ -1,5 +1,7 @@
 //! The command line: its arguments, one file for each subcommand, exit codes.
 
+#[cfg(feature = "prove")]
+mod atomic_file;
 mod bounds;
 #[cfg(feature = "prove")]
 mod certify;
@@ -11,6 +13,8 @@ mod embedding_words;
 mod failure;
 mod input;
 mod output;
+#[cfg(feature = "prove")]
+mod show;
 mod thickness_words;
 
 use std::process::ExitCode;
@@ -38,6 +42,8 @@ enum Command {
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "prove")]
+    Show(show::Arguments),
 }
 
 /// What every subcommand prints.
@@ -83,6 +89,8 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "prove")]
         Command::Certify(arguments) => certify::run(arguments),
         Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Show(arguments) => show::run(&arguments),
     };
     outcome
         .unwrap_or_else(|failure| {

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Compiles the checker for HTML reports: src/show/html/checker.wasm.
+# Needs the target wasm32-unknown-unknown (rustup target add wasm32-unknown-unknown), or a compiler with its library sources: BUILD_STD=1.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+target=${CARGO_TARGET_DIR:-$PWD/target}
+options=()
+if [ "${BUILD_STD:-0}" = 1 ]; then
+    export RUSTC_BOOTSTRAP=1
+    options=(-Zbuild-std=std,panic_abort)
+fi
+RUSTFLAGS="--remap-path-prefix=$HOME=~ --remap-path-prefix=$(cd ../../.. && pwd)=." \
+    cargo build --release --locked --target wasm32-unknown-unknown --target-dir "$target" "${options[@]}"
+cp "$target/wasm32-unknown-unknown/release/knotproof_checker.wasm" ../html/checker.wasm
+ls -l ../html/checker.wasm
