@@ -44,6 +44,8 @@
 //! # #[cfg(not(feature = "prove"))]
 //! # fn main() {}
 //! ```
+#[cfg(feature = "prove")]
+pub mod approximation;
 pub mod certificate;
 pub mod check;
 pub mod claim;
