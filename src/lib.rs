@@ -49,6 +49,8 @@ pub mod approximation;
 pub mod certificate;
 pub mod check;
 pub mod claim;
+#[cfg(feature = "prove")]
+pub mod compare;
 pub mod curve;
 pub mod number;
 #[cfg(feature = "prove")]

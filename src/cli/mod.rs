@@ -4,6 +4,8 @@ mod bounds;
 #[cfg(feature = "prove")]
 mod certify;
 mod check;
+#[cfg(feature = "prove")]
+mod compare;
 mod curvature_words;
 mod deviation_words;
 mod domain_words;
@@ -38,6 +40,8 @@ enum Command {
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "prove")]
+    Compare(compare::Arguments),
 }
 
 /// What every subcommand prints.
@@ -83,6 +87,8 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "prove")]
         Command::Certify(arguments) => certify::run(arguments),
         Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Compare(arguments) => compare::run(&arguments),
     };
     outcome
         .unwrap_or_else(|failure| {
