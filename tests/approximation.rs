@@ -71,7 +71,10 @@ fn no_edge_of_the_curve_gives_the_printed_error() {
                 .fold(Rational::default(), |sum, (x, y)| sum + (x - y) * (x - y));
             for m in 0..=12 {
                 let rest = &squared * fraction(2, 1 << (2 * m));
-                assert!(rest > high || rest + fraction(1, 20_000) < low, "edge {k} of part {part}, m = {m}");
+                assert!(
+                    rest > high || rest + fraction(1, 20_000) < low,
+                    "edge {k} of part {part}, m = {m}"
+                );
             }
         }
     }
@@ -104,10 +107,7 @@ fn the_estimate_of_the_example_misses_sigma_and_the_polygon_proves_it() {
     let curve = curve("mp06-figure-1");
     let polygon = Polygon::new(&curve.chain(), 6).expect("a polygon");
     assert_eq!(polygon.edges(), 960);
-    assert_eq!(
-        sqrt_decimal_down(&polygon.longest_edge_squared(), 6),
-        "0.0773436"
-    );
+    assert_eq!(sqrt_decimal_down(&polygon.longest_edge_squared(), 6), "0.0773436");
     let disjoint = polygon.nearest_disjoint_edges().expect("disjoint edges");
     assert_eq!(sqrt_decimal_down(&disjoint.squared, 6), "0.0176725");
     // The value of test 4 of MP06's table, which the authors call wrong.
