@@ -9,6 +9,9 @@ mod certify;
 #[path = "cli/check.rs"]
 mod check;
 #[cfg(feature = "prove")]
+#[path = "cli/compare.rs"]
+mod compare;
+#[cfg(feature = "prove")]
 #[path = "cli/curvature.rs"]
 mod curvature;
 #[cfg(feature = "prove")]

@@ -6,6 +6,8 @@ mod bounds;
 #[cfg(feature = "prove")]
 mod certify;
 mod check;
+#[cfg(feature = "prove")]
+mod compare;
 mod curvature_words;
 mod deviation_words;
 mod domain_words;
@@ -44,6 +46,8 @@ enum Command {
     Check(check::Arguments),
     #[cfg(feature = "prove")]
     Show(show::Arguments),
+    #[cfg(feature = "prove")]
+    Compare(compare::Arguments),
 }
 
 /// What every subcommand prints.
@@ -91,6 +95,8 @@ pub fn run() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         #[cfg(feature = "prove")]
         Command::Show(arguments) => show::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Compare(arguments) => compare::run(&arguments),
     };
     outcome
         .unwrap_or_else(|failure| {

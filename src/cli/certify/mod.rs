@@ -6,7 +6,7 @@ mod domain;
 mod embedding;
 mod msd;
 mod output_file;
-mod progress;
+pub mod progress;
 mod report;
 mod thickness;
 
