@@ -4,17 +4,27 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Modules under `src` with those each may use. What is not listed may use nothing that is.
-const MAY_USE: [(&str, &[&str]); 12] = [
+const MAY_USE: [(&str, &[&str]); 13] = [
     ("number", &[]),
     ("polytope", &["number"]),
     ("curve", &["number"]),
+    ("motion", &["number", "curve"]),
     ("claim", &["number"]),
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
     ("float", &["number", "curve"]),
     (
         "prove",
-        &["number", "polytope", "curve", "claim", "certificate", "check", "float"],
+        &[
+            "number",
+            "polytope",
+            "curve",
+            "motion",
+            "claim",
+            "certificate",
+            "check",
+            "float",
+        ],
     ),
     (
         "validate",
@@ -26,6 +36,7 @@ const MAY_USE: [(&str, &[&str]); 12] = [
         &[
             "number",
             "curve",
+            "motion",
             "claim",
             "certificate",
             "check",
