@@ -6,6 +6,7 @@ mod binary;
 mod block;
 mod bytes;
 mod json;
+mod motion_hash;
 
 use std::borrow::Cow;
 use std::fmt;
@@ -17,6 +18,7 @@ use crate::curve::Curve;
 use bytes::ByteSource;
 
 pub use block::curve_sha256;
+pub use motion_hash::MotionHash;
 
 /// Which of the two forms a certificate is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

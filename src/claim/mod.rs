@@ -4,6 +4,7 @@ pub mod curvature;
 pub mod deviation;
 pub mod domain;
 pub mod embedding;
+pub mod motion;
 pub mod msd;
 pub mod thickness;
 pub mod tree;
