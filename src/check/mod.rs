@@ -12,6 +12,7 @@ pub mod domain;
 pub mod element;
 pub mod embedding;
 pub mod hull;
+pub mod motion;
 mod msd;
 pub mod part;
 pub mod polynomial;

@@ -2,7 +2,7 @@
 
 mod margin;
 mod quick;
-mod rows;
+pub(super) mod rows;
 
 use std::collections::HashSet;
 
