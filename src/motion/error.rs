@@ -13,7 +13,7 @@ pub struct MotionError {
 }
 
 impl MotionError {
-    pub(super) fn new(place: impl Into<String>, what: impl Into<String>) -> MotionError {
+    pub(crate) fn new(place: impl Into<String>, what: impl Into<String>) -> MotionError {
         MotionError {
             place: place.into(),
             what: what.into(),
