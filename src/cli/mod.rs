@@ -10,6 +10,7 @@ mod domain_words;
 mod embedding_words;
 mod failure;
 mod input;
+mod motion_words;
 mod output;
 mod thickness_words;
 

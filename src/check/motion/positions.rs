@@ -186,12 +186,25 @@ impl Positions {
     /// # Errors
     /// [`MotionError::Point`].
     pub fn between(&self, displacements: &Move, numerator: u64, exponent: u32) -> Result<Positions, MotionError> {
+        self.on_the_way(displacements, &Integer::from(numerator), &(Integer::ONE << exponent))
+    }
+
+    /// The positions at numerator/denominator of the way of a move, in units of 1/(denominator·Q).
+    ///
+    /// # Errors
+    /// [`MotionError::Point`].
+    pub fn on_the_way(
+        &self,
+        displacements: &Move,
+        numerator: &Integer,
+        denominator: &Integer,
+    ) -> Result<Positions, MotionError> {
         let mut positions = self.clone();
         positions.widen();
         for x in positions.wide.iter_mut().flatten() {
-            *x = &*x << exponent;
+            *x = &*x * denominator;
         }
-        positions.displace(displacements, &Integer::from(numerator))?;
+        positions.displace(displacements, numerator)?;
         positions.narrow_if_possible();
         Ok(positions)
     }
