@@ -27,7 +27,7 @@ pub use contact::{Stage, curve_at, polygon};
 pub use criteria::{Criteria, Greatests, bound_factor, note};
 pub use nu::{MOST_EDGES, nu_squared};
 pub use positions::{MotionError, Positions};
-pub use shape::{Node, Shape};
+pub use shape::{Matrix, Node, Shape};
 pub use table::{Moved, Table, TreeError};
 
 pub(super) fn expected(place: Place, expected: &'static str, found: impl Into<String>) -> Rejection {
