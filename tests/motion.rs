@@ -5,3 +5,5 @@
 mod cpij14;
 #[path = "motion/files.rs"]
 mod files;
+#[path = "motion/prover.rs"]
+mod prover;

@@ -12,6 +12,8 @@ use crate::number::{Integer, Rational};
 pub struct Measures {
     /// The number of the frame, from 0.
     pub frame: u64,
+    /// The greatest second difference ‖Δ₂P_k‖ of control points of a piece, in the norm of greatest coordinates, and squared in the Euclidean one.
+    pub second: [Rational; 2],
     /// The greatest N∞(n)·‖Δ₂P_k‖, and the greatest displacement of an own control point since time 0.
     pub greatest: Greatests,
     /// What CPIJ14 print, in the ∞-norm: the greatest ‖Δ₂P_k‖, without N∞, plus the displacement of the point that attains it. Of curves given as polynomial Bézier pieces.
@@ -100,8 +102,10 @@ impl<'m> Measurer<'m> {
             self.as_printed.first = Some(frame);
         }
         if keep {
+            let second = self.criteria.unweighted();
             self.kept.push(Measures {
                 frame,
+                second: second.map(|found| found.map(|(value, _)| value).unwrap_or_default()),
                 greatest,
                 as_printed,
             });
