@@ -43,13 +43,19 @@ fn certified<'m>(motion: &'m Motion, options: &Options) -> (Certified<'m>, State
 }
 
 fn of<'f>(certified: &'f Certified, kind: TrackKind) -> &'f Followed {
-    certified.followed.iter().find(|followed| followed.kind == kind).expect("followed")
+    certified
+        .followed
+        .iter()
+        .find(|followed| followed.kind == kind)
+        .expect("followed")
 }
 
 /// The polygon of a chain of straight pieces, moved in whole frames.
 fn polyline(frames: &[&[&[i64]]]) -> Motion {
     let point = |p: &&[i64]| format!("[{}]", p.iter().map(|x| x.to_string()).collect::<Vec<_>>().join(","));
-    let pieces = frames[0].windows(2).map(|pair| format!(r#"{{"points":[{},{}]}}"#, point(&pair[0]), point(&pair[1])));
+    let pieces = frames[0]
+        .windows(2)
+        .map(|pair| format!(r#"{{"points":[{},{}]}}"#, point(&pair[0]), point(&pair[1])));
     let pieces = pieces.collect::<Vec<_>>().join(",");
     // The last point of a closed chain is its first.
     let closed = frames[0].first() == frames[0].last();
@@ -80,11 +86,17 @@ fn experiment_1_of_cpij14() {
     };
     assert_eq!(contact, Some(expected));
     let criteria = statement.criteria.expect("criteria");
-    let failures = [criteria.second_differences.infinity, criteria.second_differences.euclidean];
+    let failures = [
+        criteria.second_differences.infinity,
+        criteria.second_differences.euclidean,
+    ];
     assert_eq!(failures, [Some(10), Some(10)]);
     let half_nu = criteria.half_nu.expect("half of ν");
     assert_eq!(half_nu.nu_squared, fraction(1, 1));
-    assert_eq!([half_nu.failures.infinity, half_nu.failures.euclidean], [Some(3), Some(3)]);
+    assert_eq!(
+        [half_nu.failures.infinity, half_nu.failures.euclidean],
+        [Some(3), Some(3)]
+    );
     assert_eq!(certified.as_printed.first, Some(2));
     let nine = &certified.measures[9];
     assert_eq!(nine.second, [fraction(15, 8), fraction(225, 64)]);
@@ -123,7 +135,13 @@ fn a_trefoil_moves_and_stays_a_trefoil() {
     let back: Vec<String> = (0..6).rev().map(|k| step(-1, k)).collect();
     let steps = [there, back].concat().join(",");
     let motion = motion(&text.replace("[]", &format!("[{steps}]")));
-    let (_, statement) = certified(&motion, &Options { polygon: false, ..Options::default() });
+    let (_, statement) = certified(
+        &motion,
+        &Options {
+            polygon: false,
+            ..Options::default()
+        },
+    );
     assert_eq!(statement.polygon, None);
     let track = statement.curve.expect("a curve");
     assert_eq!((track.embedded_through, track.meets_by), (whole(12), None));
@@ -139,7 +157,10 @@ fn an_end_goes_through_an_edge_in_the_plane() {
     for kind in TrackKind::BOTH {
         let track = statement.track(kind).expect("a track");
         // It reaches the edge at 2/3 of the second step.
-        assert!(track.embedded_through > fraction(166, 100) && track.embedded_through < fraction(5, 3), "{track:?}");
+        assert!(
+            track.embedded_through > fraction(166, 100) && track.embedded_through < fraction(5, 3),
+            "{track:?}"
+        );
         let meets_by = track.meets_by.clone().expect("a meeting");
         assert!(meets_by >= fraction(5, 3) && meets_by <= whole(2));
         assert!(of(&certified, kind).contact.is_some());
@@ -160,8 +181,20 @@ fn an_end_only_touches_in_the_plane() {
 fn one_edge_passes_through_another_in_space() {
     for (x, rule) in [(1, "touch"), (0, "touch"), (7, "passage")] {
         // The last edge comes down through the first one, at a third of the way, or at no simple fraction.
-        let before: &[&[i64]] = &[&[-20, 0, 0], &[20, 0, 0], &[30, 30, 10], &[x, 20, 10], &[1 + 2 * x, -23, 10]];
-        let after: &[&[i64]] = &[&[-20, 0, 0], &[20, 0, 0], &[30, 30, 10], &[x, 20, -20], &[1 + 2 * x, -23, -21 - x * x * x]];
+        let before: &[&[i64]] = &[
+            &[-20, 0, 0],
+            &[20, 0, 0],
+            &[30, 30, 10],
+            &[x, 20, 10],
+            &[1 + 2 * x, -23, 10],
+        ];
+        let after: &[&[i64]] = &[
+            &[-20, 0, 0],
+            &[20, 0, 0],
+            &[30, 30, 10],
+            &[x, 20, -20],
+            &[1 + 2 * x, -23, -21 - x * x * x],
+        ];
         let motion = polyline(&[before, after]);
         let (certified, statement) = certified(&motion, &Options::default());
         for kind in TrackKind::BOTH {
@@ -171,7 +204,12 @@ fn one_edge_passes_through_another_in_space() {
             assert!(track.embedded_through > fraction(1, 10), "{track:?}");
             assert!(track.meets_by.clone().expect("a meeting") < whole(1));
         }
-        let rules: Vec<&str> = certified.followed.iter().filter_map(|f| f.contact.as_ref()).map(Contact::rule).collect();
+        let rules: Vec<&str> = certified
+            .followed
+            .iter()
+            .filter_map(|f| f.contact.as_ref())
+            .map(Contact::rule)
+            .collect();
         assert!(x != 7 || rules.contains(&rule), "{rules:?}");
     }
 }
@@ -190,7 +228,10 @@ fn a_curve_passes_through_itself_in_space() {
     ));
     let (certified, statement) = certified(&motion, &Options::default());
     let track = statement.curve.expect("a curve");
-    assert_eq!(of(&certified, TrackKind::Curve).contact.as_ref().map(Contact::rule), Some("passage"));
+    assert_eq!(
+        of(&certified, TrackKind::Curve).contact.as_ref().map(Contact::rule),
+        Some("passage")
+    );
     assert!(track.embedded_through > whole(1) && track.meets_by.expect("a meeting") < whole(2));
 }
 
@@ -212,7 +253,12 @@ fn the_ends_of_an_open_curve_meet() {
 
 #[test]
 fn rational_curves_and_splines_move() {
-    for name in ["nurbs-circle.json", "nurbs-space.json", "mp06-figure-1.json", "unclamped-periodic.json"] {
+    for name in [
+        "nurbs-circle.json",
+        "nurbs-space.json",
+        "mp06-figure-1.json",
+        "unclamped-periodic.json",
+    ] {
         let text = format!(r#"{{"knotproof":"motion/1","curve":"{name}","display_tolerance":"1","steps":[]}}"#);
         let still = motion(&text);
         let (dimension, count) = (still.points().dimension(), still.points().count());
@@ -225,7 +271,9 @@ fn rational_curves_and_splines_move() {
         let step = format!(r#"{{"moves":[{}]}}"#, moves.collect::<Vec<_>>().join(","));
         let motion = motion(&text.replace("[]", &format!("[{step},{step}]")));
         let (certified, statement) = certified(&motion, &Options::default());
-        let track = statement.curve.unwrap_or_else(|| panic!("{name}: {:?}", certified.followed));
+        let track = statement
+            .curve
+            .unwrap_or_else(|| panic!("{name}: {:?}", certified.followed));
         assert_eq!(track.embedded_through, whole(2), "{name}: {:?}", certified.followed);
         // The criteria are for polynomial pieces.
         assert_eq!(statement.criteria.is_some(), !name.contains("nurbs"), "{name}");
@@ -236,14 +284,25 @@ fn rational_curves_and_splines_move() {
 fn a_closed_spline_may_not_be_opened() {
     let text = r#"{"knotproof":"motion/1","curve":"mp06-figure-1.json","steps":[{"moves":[]},{"moves":[{"point":0,"by":[1,0,0]}]}]}"#;
     let motion = motion(text);
-    let error = certify(&motion, &Options::default(), &|_| ()).err().expect("refused").to_string();
+    let error = certify(&motion, &Options::default(), &|_| ())
+        .err()
+        .expect("refused")
+        .to_string();
     assert!(error.contains("step 2") && error.contains("closed"), "{error}");
 }
 
 #[test]
 fn a_first_frame_that_meets_itself_is_not_followed() {
     let motion = motion(r#"{"knotproof":"motion/1","curve":"figure-eight.json","steps":[{"moves":[]}]}"#);
-    let certified = certify(&motion, &Options { polygon: false, ..Options::default() }, &|_| ()).expect("certified");
+    let certified = certify(
+        &motion,
+        &Options {
+            polygon: false,
+            ..Options::default()
+        },
+        &|_| (),
+    )
+    .expect("certified");
     assert!(certified.document.is_none());
     let followed = of(&certified, TrackKind::Curve);
     assert!(followed.track.is_none() && followed.undecided.as_ref().is_some_and(|why| why.contains("at time 0")));

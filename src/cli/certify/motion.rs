@@ -80,8 +80,8 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     let start = Instant::now();
     let progress = Progress::new(arguments.common.printing.quiet);
-    let mut certified = certify(&motion, &options, &|part| progress.at(part))
-        .map_err(|error| Failure::at(&arguments.motion, error))?;
+    let mut certified =
+        certify(&motion, &options, &|part| progress.at(part)).map_err(|error| Failure::at(&arguments.motion, error))?;
     progress.checking();
     let written = match certified.document {
         Some(_) => keep(&mut certified, arguments, target.as_ref())?,
@@ -120,11 +120,7 @@ fn read(input: &Input, snap_joints: bool) -> Result<Motion, Failure> {
 }
 
 /// Lets the checker replay the certificate, and writes it where it is wanted.
-fn keep(
-    certified: &mut Certified,
-    arguments: &Arguments,
-    target: Option<&Target>,
-) -> Result<Option<Written>, Failure> {
+fn keep(certified: &mut Certified, arguments: &Arguments, target: Option<&Target>) -> Result<Option<Written>, Failure> {
     let Some(target) = target else {
         let mut nowhere = SpooledTempFile::new(1 << 26);
         certified

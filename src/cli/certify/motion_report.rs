@@ -101,7 +101,10 @@ struct StepLine {
 impl StepLine {
     fn new(measures: &Measures) -> StepLine {
         let greatest = &measures.greatest;
-        let (a, b) = (sqrt_enclosure(&greatest.second[1], 64), sqrt_enclosure(&greatest.moved[1], 64));
+        let (a, b) = (
+            sqrt_enclosure(&greatest.second[1], 64),
+            sqrt_enclosure(&greatest.moved[1], 64),
+        );
         StepLine {
             step: measures.frame,
             second_difference_infinity: measures.second[0].format(),
@@ -139,7 +142,10 @@ impl Report<'_> {
     /// One object for programs.
     pub fn for_programs(&self) -> ForPrograms {
         let followed = &self.certified.followed;
-        let reasons: Vec<String> = followed.iter().filter_map(|followed| followed.undecided.clone()).collect();
+        let reasons: Vec<String> = followed
+            .iter()
+            .filter_map(|followed| followed.undecided.clone())
+            .collect();
         let line = |kind: TrackKind| followed.iter().find(|followed| followed.kind == kind).map(track_line);
         ForPrograms {
             status: self.status(),
@@ -196,10 +202,15 @@ impl Report<'_> {
             let _ = writeln!(text, "  {}", self.track_in_words(followed));
         }
         if let Some(criteria) = self.criteria() {
-            let word = |first: Option<u64>| first.map_or("never fails".to_string(), |step| format!("fails at step {step}"));
+            let word =
+                |first: Option<u64>| first.map_or("never fails".to_string(), |step| format!("fails at step {step}"));
             let both = |infinity: Option<u64>, euclidean: Option<u64>| match infinity == euclidean {
                 true => format!("{} in both norms", word(infinity)),
-                false => format!("{} in the ∞-norm, {} in the Euclidean norm", word(infinity), word(euclidean)),
+                false => format!(
+                    "{} in the ∞-norm, {} in the Euclidean norm",
+                    word(infinity),
+                    word(euclidean)
+                ),
             };
             let cpij14 = &criteria.cpij14;
             let _ = write!(
@@ -231,7 +242,10 @@ impl Report<'_> {
                 written.bytes
             ),
             None if self.certified.document.is_none() => writeln!(text, "  there is nothing to certify"),
-            None => writeln!(text, "  the evidence was accepted by the checker and not kept; -o CERT writes it"),
+            None => writeln!(
+                text,
+                "  the evidence was accepted by the checker and not kept; -o CERT writes it"
+            ),
         };
         let _ = writeln!(text, "  {:.3} s", self.seconds);
         text
@@ -266,7 +280,11 @@ impl Report<'_> {
 /// A time, exact where that is short.
 fn in_decimal(time: &Rational) -> String {
     let exact = time.format();
-    if exact.len() <= 8 { exact } else { format!("{:.10}", time.to_f64()) }
+    if exact.len() <= 8 {
+        exact
+    } else {
+        format!("{:.10}", time.to_f64())
+    }
 }
 
 /// The number of the frame after a time.
