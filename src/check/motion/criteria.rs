@@ -53,6 +53,7 @@ pub struct Criteria {
     sources: Vec<Source>,
     /// N∞ over the weight and the denominator, for each piece.
     factors: Vec<Rational>,
+    degrees: Vec<usize>,
     denominator: Integer,
     start: Positions,
     widths: Widths,
@@ -84,14 +85,14 @@ fn difference<W: Word>(p: &[W; 3], q: &[W; 3]) -> Option<[W; 3]> {
     Some([p[0].minus(&q[0])?, p[1].minus(&q[1])?, p[2].minus(&q[2])?])
 }
 
-/// The greatest second difference of a piece in both norms.
-fn second_differences<W: Word>(shape: &Shape, source: &Source, piece: usize, positions: &Positions) -> Option<[W; 2]> {
+/// The control points of a piece, times their weight.
+fn control_points<W: Word>(shape: &Shape, source: &Source, piece: usize, positions: &Positions) -> Option<Vec<[W; 3]>> {
     let at = &shape.pieces[piece];
     let points: Vec<[W; 3]> = (at.first..=at.last)
         .map(|place| position(positions, place))
         .collect::<Option<_>>()?;
-    let points = match source {
-        Source::Direct => points,
+    match source {
+        Source::Direct => Some(points),
         Source::Rows(rows) => {
             let entries: Vec<W> = match &rows.hull {
                 Matrix::Narrow(entries, _) => entries
@@ -109,9 +110,14 @@ fn second_differences<W: Word>(shape: &Shape, source: &Source, piece: usize, pos
                 }
                 Some(sum)
             };
-            entries.chunks(rows.count).map(sum).collect::<Option<_>>()?
+            entries.chunks(rows.count).map(sum).collect()
         }
-    };
+    }
+}
+
+/// The greatest second difference of a piece in both norms.
+fn second_differences<W: Word>(shape: &Shape, source: &Source, piece: usize, positions: &Positions) -> Option<[W; 2]> {
+    let points: Vec<[W; 3]> = control_points(shape, source, piece, positions)?;
     let mut greatest = [W::zero(), W::zero()];
     for three in points.windows(3) {
         let (before, after) = (difference(&three[1], &three[0])?, difference(&three[2], &three[1])?);
@@ -205,6 +211,26 @@ impl<W: Word> Measures<W> {
         Some(())
     }
 
+    fn unweighted(&self, criteria: &Parts, degrees: &[usize]) -> [Option<(Rational, usize)>; 2] {
+        let one = degrees.iter().all(|degree| *degree == degrees[0]) && degrees[0] >= 2;
+        [0, 1].map(|norm| {
+            let value = |piece: usize| {
+                let factor = &criteria.factors[piece] / bound_factor(degrees[piece]);
+                let factor = if norm == 1 { &factor * &factor } else { factor };
+                (
+                    factor * Rational::from_integer(self.second[norm][piece].to_integer()),
+                    piece,
+                )
+            };
+            if one {
+                // The same factor everywhere: the winner with N∞ is the winner without.
+                return self.second_greatest[norm].winner().map(value);
+            }
+            let curved = (0..degrees.len()).filter(|piece| degrees[*piece] >= 2);
+            curved.map(value).max_by(|a, b| a.0.cmp(&b.0))
+        })
+    }
+
     fn greatest(&self, criteria: &Parts) -> Greatests {
         let unit = Rational::new(Integer::ONE, criteria.denominator.clone());
         let scaled = |value: &W, factor: &Rational, norm: usize| {
@@ -260,7 +286,9 @@ impl Criteria {
             sources.push(source);
             factors.push(bound_factor(at.last - at.first) / Rational::from_integer(weight * denominator));
         }
+        let degrees = shape.pieces.iter().map(|at| at.last - at.first).collect();
         let mut criteria = Criteria {
+            degrees,
             sources,
             factors,
             denominator: denominator.clone(),
@@ -307,6 +335,33 @@ impl Criteria {
         };
         if updated.is_none() {
             self.widths = self.anew(shape, positions);
+        }
+    }
+
+    /// The second differences P_{k−1} − 2P_k + P_{k+1}, k = 1 … n−1, of a piece of degree n.
+    pub fn second_differences(&self, shape: &Shape, positions: &Positions, piece: usize) -> Vec<[Rational; 3]> {
+        let points: Option<Vec<[Integer; 3]>> = control_points(shape, &self.sources[piece], piece, positions);
+        let points = points.unwrap_or_default();
+        let weight = match &self.sources[piece] {
+            Source::Direct => Integer::ONE,
+            Source::Rows(rows) => rows.weights[0].clone(),
+        };
+        let below = weight * &self.denominator;
+        let axis = |three: &[[Integer; 3]], i: usize| {
+            let numerator = &three[0][i] - &three[1][i] - &three[1][i] + &three[2][i];
+            Rational::new(numerator, below.clone())
+        };
+        points
+            .windows(3)
+            .map(|three| [0, 1, 2].map(|i| axis(three, i)))
+            .collect()
+    }
+
+    /// The greatest second difference without N∞, in each norm (in the Euclidean one its square), and a piece that attains it.
+    pub fn unweighted(&self) -> [Option<(Rational, usize)>; 2] {
+        match &self.widths {
+            Widths::Short(measures) => measures.unweighted(&self.parts(), &self.degrees),
+            Widths::Long(measures) => measures.unweighted(&self.parts(), &self.degrees),
         }
     }
 

@@ -27,7 +27,7 @@ pub use contact::{Stage, curve_at, polygon};
 pub use criteria::{Criteria, Greatests, bound_factor, note};
 pub use nu::{MOST_EDGES, nu_squared};
 pub use positions::{MotionError, Positions};
-pub use shape::{Matrix, Node, Shape};
+pub use shape::{Matrix, Node, PartRows, Piece, Shape};
 pub use table::{Moved, Table, TreeError};
 
 pub(super) fn expected(place: Place, expected: &'static str, found: impl Into<String>) -> Rejection {
@@ -139,12 +139,9 @@ fn consistent(content: &Content) -> Result<(), Rejection> {
     }
     if criteria
         .as_ref()
-        .is_some_and(|criteria| criteria.display_tolerance.numer().is_negative())
+        .is_some_and(|criteria| !criteria.display_tolerance.numer().is_positive())
     {
-        return Err(in_statement(
-            "criteria.display_tolerance: a fraction that is not negative",
-            "a negative one",
-        ));
+        return Err(in_statement("criteria.display_tolerance: a fraction above 0", "none"));
     }
     let end = Rational::from_integer((*steps).into());
     for kind in TrackKind::BOTH {

@@ -1,7 +1,7 @@
 //! Where the own control points are at a time, in units of 1/Q.
 
 use crate::claim::motion::Move;
-use crate::curve::{Curve, Form};
+use crate::curve::{Curve, Form, MAXIMUM_BITS};
 use crate::number::{Integer, RationalVector};
 
 /// Coordinates of this magnitude and above are not kept in 64 bits, so that differences of two that are kept fit.
@@ -22,6 +22,11 @@ pub enum MotionError {
         /// How many there are.
         count: usize,
     },
+    /// A coordinate of a frame has more than 65,536 bits.
+    Size {
+        /// The number of its own control point.
+        point: u64,
+    },
     /// A closed curve, or its polygon, does not stay closed.
     Opens,
 }
@@ -37,6 +42,12 @@ impl std::fmt::Display for MotionError {
             }
             MotionError::Point { point, count } => {
                 write!(f, "found own control point {point}, expected a number below {count}")
+            }
+            MotionError::Size { point } => {
+                write!(
+                    f,
+                    "expected coordinates of at most 65,536 bits, own control point {point} has longer ones"
+                )
             }
             MotionError::Opens => f.write_str("expected a curve and polygon that stay closed, found ends apart"),
         }
@@ -57,6 +68,10 @@ pub struct Positions {
     count: usize,
     /// At least the bit length of every coordinate in `narrow`.
     magnitude: u64,
+}
+
+fn too_long(position: &[Integer; 3]) -> bool {
+    position.iter().any(|x| x.bits() > MAXIMUM_BITS)
 }
 
 /// The coordinates of the own control points of a curve, point by point, each curve piece's over its own denominator.
@@ -82,7 +97,7 @@ impl Positions {
     /// The positions at time 0 over the denominator Q ≥ 1.
     ///
     /// # Errors
-    /// [`MotionError::Denominator`].
+    /// [`MotionError::Denominator`], [`MotionError::Size`].
     pub fn new(curve: &Curve, denominator: &Integer) -> Result<Self, MotionError> {
         let mut wide = Vec::new();
         for (point, (coordinates, below)) in own_coordinates(curve).into_iter().enumerate() {
@@ -93,6 +108,10 @@ impl Positions {
                     return Err(MotionError::Denominator { point });
                 }
                 position[axis] = quotient;
+            }
+            if too_long(&position) {
+                let point = point as u64;
+                return Err(MotionError::Size { point });
             }
             wide.push(position);
         }
@@ -176,9 +195,14 @@ impl Positions {
     /// Moves the points.
     ///
     /// # Errors
-    /// [`MotionError::Point`]; nothing is moved then.
+    /// [`MotionError::Point`], and nothing is moved; [`MotionError::Size`].
     pub fn apply(&mut self, displacements: &Move) -> Result<(), MotionError> {
-        self.displace(displacements, &Integer::ONE)
+        self.displace(displacements, &Integer::ONE)?;
+        let long = |point: &u64| !self.wide.is_empty() && too_long(&self.wide[*point as usize]);
+        match displacements.points().find(long) {
+            None => Ok(()),
+            Some(point) => Err(MotionError::Size { point }),
+        }
     }
 
     /// The positions on the way of a move, at numerator/2^exponent of it, in units of 1/(2^exponent·Q).
