@@ -50,9 +50,8 @@ fn round(count: usize, dimension: usize, noise: &[i64]) -> Vec<Vec<i64>> {
 /// A curve of cubic pieces around the origin, with all coordinates times `scale`.
 fn curve(kind: Kind, dimension: usize, noise: &[i64], scale: &Integer) -> Curve {
     let pieces = 4;
-    let flat = |points: &[Vec<i64>]| -> Vec<Integer> {
-        points.iter().flatten().map(|x| Integer::from(*x) * scale).collect()
-    };
+    let flat =
+        |points: &[Vec<i64>]| -> Vec<Integer> { points.iter().flatten().map(|x| Integer::from(*x) * scale).collect() };
     let form = match kind {
         Kind::Polynomial | Kind::Rational => {
             let points = round(3 * pieces, dimension, noise);
@@ -91,7 +90,11 @@ fn directions(dimension: usize) -> Vec<[Integer; 3]> {
 
 /// A tree for a pair, or nothing if pieces would have to be halved too often.
 fn grow(table: &mut Table, positions: &Positions, a: Node, b: Option<Node>, tokens: &mut Vec<Token>) -> bool {
-    let dimension = if positions.get(0)[2].is_zero() && positions.get(1)[2].is_zero() { 2 } else { 3 };
+    let dimension = if positions.get(0)[2].is_zero() && positions.get(1)[2].is_zero() {
+        2
+    } else {
+        3
+    };
     let adjacent = b.as_ref().is_none_or(|b| table.shape().adjacent(&a, b));
     for n in directions(dimension) {
         let leaf = if adjacent { Leaf::Monotone(n) } else { Leaf::Separate(n) };
@@ -151,7 +154,13 @@ fn displacements(of: &[(usize, [i64; 3])], count: usize, dimension: usize, scale
     }
     let (mut there, mut back) = (Move::new(), Move::new());
     for (point, vector) in by {
-        let vector = [0, 1, 2].map(|i| if i < dimension { Integer::from(vector[i]) * scale } else { Integer::ZERO });
+        let vector = [0, 1, 2].map(|i| {
+            if i < dimension {
+                Integer::from(vector[i]) * scale
+            } else {
+                Integer::ZERO
+            }
+        });
         if vector.iter().any(|x| !x.is_zero()) {
             there.push(point as u64, vector.clone()).expect("in order");
             back.push(point as u64, vector.map(|x| -x)).expect("in order");
@@ -170,11 +179,24 @@ fn steps() -> impl Strategy<Value = Vec<Step>> {
     let few = prop::collection::vec((0usize..20, vector), 0..4);
     let drift = prop::array::uniform3(-5i64..5);
     let all = drift.prop_map(|by| (0..20).map(|k| (k, by.map(|x| x * (k as i64 % 3)))).collect::<Vec<_>>());
-    prop::collection::vec((prop_oneof![3 => few, 1 => all], prop::option::of(any::<prop::sample::Index>())), 1..10)
+    prop::collection::vec(
+        (
+            prop_oneof![3 => few, 1 => all],
+            prop::option::of(any::<prop::sample::Index>()),
+        ),
+        1..10,
+    )
 }
 
 /// Follows a motion with a table and compares every answer; returns how many leaves there were and how often some failed.
-fn follow(kind: Kind, dimension: usize, of_polygon: bool, noise: &[i64], scale: &Integer, steps: &[Step]) -> (usize, Vec<Vec<u64>>) {
+fn follow(
+    kind: Kind,
+    dimension: usize,
+    of_polygon: bool,
+    noise: &[i64],
+    scale: &Integer,
+    steps: &[Step],
+) -> (usize, Vec<Vec<u64>>) {
     let curve = curve(kind, dimension, noise, scale);
     let edges = polygon(&curve).expect("few edges");
     let mut positions = Positions::new(&curve, &Integer::ONE).expect("integers");
@@ -195,7 +217,9 @@ fn follow(kind: Kind, dimension: usize, of_polygon: bool, noise: &[i64], scale: 
                 // Both halves of a pair of two nodes hold where the pair does.
                 let half = Token::Leaf(leaf.clone());
                 let tokens = match b {
-                    Some(_) if matches!(leaf, Leaf::Separate(_)) && a.halves().is_some() => vec![Token::First, half.clone(), half],
+                    Some(_) if matches!(leaf, Leaf::Separate(_)) && a.halves().is_some() => {
+                        vec![Token::First, half.clone(), half]
+                    }
                     _ => vec![half],
                 };
                 let count = tokens.len() as u64;
@@ -283,7 +307,13 @@ fn norms(v: &[Rational; 3]) -> [Rational; 2] {
     [most, square]
 }
 
-fn by_definition(criteria: &Criteria, shape: &Shape, start: &Positions, positions: &Positions, denominator: &Integer) -> Greatests {
+fn by_definition(
+    criteria: &Criteria,
+    shape: &Shape,
+    start: &Positions,
+    positions: &Positions,
+    denominator: &Integer,
+) -> Greatests {
     let mut greatest = Greatests {
         second: Default::default(),
         moved: Default::default(),
@@ -292,7 +322,11 @@ fn by_definition(criteria: &Criteria, shape: &Shape, start: &Positions, position
         let factor = bound_factor(at.last - at.first);
         for v in criteria.second_differences(shape, positions, piece) {
             let [most, square] = norms(&v);
-            for (greatest, found) in greatest.second.iter_mut().zip([&factor * most, &factor * &factor * square]) {
+            for (greatest, found) in greatest
+                .second
+                .iter_mut()
+                .zip([&factor * most, &factor * &factor * square])
+            {
                 *greatest = greatest.clone().max(found);
             }
         }
@@ -343,20 +377,31 @@ fn chains_of_neighbours_as_printed() {
     for (length, changes) in (1..).zip(changes) {
         let mut by = Move::new();
         for (i, v) in gamma[..length].iter().enumerate() {
-            by.push((k + i) as u64, [v[0].into(), v[1].into(), Integer::ZERO]).expect("in order");
+            by.push((k + i) as u64, [v[0].into(), v[1].into(), Integer::ZERO])
+                .expect("in order");
         }
         let mut positions = start.clone();
         positions.apply(&by).expect("points of the curve");
         let moved = second(&first, &positions, &shape);
         for (i, (old, new)) in unmoved.iter().zip(&moved).enumerate() {
-            let change = (i + 2).checked_sub(k).and_then(|i| changes.get(i)).copied().unwrap_or([0, 0]);
-            assert_eq!([old[0] + change[0], old[1] + change[1]], *new, "a chain of {length}, Δ₂ of point {}", i + 1);
+            let change = (i + 2)
+                .checked_sub(k)
+                .and_then(|i| changes.get(i))
+                .copied()
+                .unwrap_or([0, 0]);
+            assert_eq!(
+                [old[0] + change[0], old[1] + change[1]],
+                *new,
+                "a chain of {length}, Δ₂ of point {}",
+                i + 1
+            );
         }
     }
     // Type 2: a joint and its neighbours by one vector, which leaves its own second difference as it is: γ, −γ, 0, −γ, γ around it.
     let mut by = Move::new();
     for point in 3..=5 {
-        by.push(point, [2.into(), (-1).into(), Integer::ZERO]).expect("in order");
+        by.push(point, [2.into(), (-1).into(), Integer::ZERO])
+            .expect("in order");
     }
     let mut positions = start.clone();
     positions.apply(&by).expect("points of the curve");

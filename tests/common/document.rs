@@ -65,7 +65,9 @@ fn streamed<S: EventSource>(document: &Document, source: &mut S) -> Vec<u8> {
         // A tree ends where no pair is left; of an incomplete one all there is is taken.
         let mut pairs = u64::from(matches!(event, Event::Tree(_) | Event::Edit(..)));
         while pairs > 0 {
-            let Some(token) = source.next_token().expect("a token") else { break };
+            let Some(token) = source.next_token().expect("a token") else {
+                break;
+            };
             write_token(&token, dimension, &mut bytes);
             pairs = match token {
                 Token::Split => pairs + 2,
