@@ -192,8 +192,8 @@ fn one_edge_passes_through_another_in_space() {
             &[-20, 0, 0],
             &[20, 0, 0],
             &[30, 30, 10],
-            &[x, 20, -20],
-            &[1 + 2 * x, -23, -21 - x * x * x],
+            &[x - aside, 20 - aside, -20],
+            &[1 + 2 * x + aside, -23, -22 - aside],
         ];
         let motion = polyline(&[before, after]);
         let (certified, statement) = certified(&motion, &Options::default());
@@ -221,7 +221,7 @@ fn torus_knot(q: u32, count: i64) -> String {
     let vertices: Vec<[Rational; 3]> = (0..count)
         .map(|i| {
             let angle = std::f64::consts::PI * ((2 * i + 1) as f64 / count as f64 - 1.0);
-            let m = fraction(((angle / 2.0).tan() * 8.0).round() as i64, 8);
+            let m = fraction(((angle / 2.0).tan() * 16.0).round() as i64, 16);
             let (one, square) = (fraction(1, 1), &m * &m);
             let unit = ((&one - &square) / (&one + &square), (&m + &m) / (&one + &square));
             let twice = times(&unit, &unit);

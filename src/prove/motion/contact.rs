@@ -1,6 +1,6 @@
 //! Proofs that a moving curve, or polygon, meets itself.
 
-use super::geometry::{Geometry, Snapshot, evaluate};
+use super::geometry::{Geometry, Snapshot, difference, evaluate};
 use super::search::Stuck;
 use crate::check::motion::{Shape, Stage, curve_at};
 use crate::claim::motion::Contact;
@@ -17,6 +17,8 @@ pub struct Rest<'r> {
     pub to: Rational,
     /// Where the search came to an end.
     pub stuck: &'r Stuck,
+    /// Is a meeting known, and one sooner looked for?
+    pub sooner: bool,
 }
 
 /// Looks for a contact in the rest of a step, after `rest.from`.
@@ -25,7 +27,7 @@ pub fn find(stage: &Stage, rest: &Rest) -> Option<Contact> {
     let after = &frame + &rest.from;
     let by = &frame + Rational::from_integer(1.into());
     let holds = |contact: &Contact| matches!(stage.shows(contact, &after, &by), Ok(Ok(())));
-    let found = if stage.curve.dimension() == 2 {
+    let found = if stage.curve.dimension() == 2 || rest.sooner {
         at_one_time(stage, rest)
     } else {
         passing(stage, rest, &holds).or_else(|| at_one_time(stage, rest))
@@ -46,6 +48,9 @@ fn times(rest: &Rest) -> Vec<Rational> {
     }
     times.extend([simple, rest.to.clone()]);
     times.retain(|time| *time > rest.from && *time <= one);
+    if rest.sooner {
+        times.sort();
+    }
     let mut kept: Vec<Rational> = Vec::new();
     for time in times {
         if !kept.contains(&time) {
@@ -116,11 +121,11 @@ fn passing(stage: &Stage, rest: &Rest, holds: &dyn Fn(&Contact) -> bool) -> Opti
             .on_the_way(stage.displacements, &Integer::ONE, &Integer::ONE)
             .ok()?,
     ];
-    let snapshots = ends.each_ref().map(|positions| Snapshot::new(positions, 0));
+    let snapshots = ends
+        .each_ref()
+        .map(|positions| Snapshot::new(positions, stage.denominator, 0));
     // The two snapshots are about their own first points: what lies between these is added.
-    let (p, q) = (ends[0].get(0), ends[1].get(0));
-    let float = |i: usize| Rational::from_integer(&q[i] - &p[i]).to_f64();
-    let shift = [float(0), float(1), float(2), 0.0];
+    let shift = difference(&ends[1].get(0), &ends[0].get(0), stage.denominator);
     let mut shape = Shape::new(stage.curve);
     let mut geometry = Geometry::new(&mut shape, &snapshots);
     let (from, to) = (rest.from.to_f64(), rest.to.to_f64());

@@ -43,6 +43,8 @@ pub struct Follower<'c> {
     planted: usize,
     edits: u64,
     budget: u64,
+    /// What positions are over.
+    denominator: &'c Integer,
     /// Were all leaves found to hold when they were last looked at, at the current time?
     looked: bool,
     /// A meeting in the present step.
@@ -52,7 +54,7 @@ pub struct Follower<'c> {
 }
 
 /// A step that is gone through.
-pub struct Step<'s> {
+pub struct Stretch<'s> {
     /// Number of the frame before it.
     pub frame: u64,
     /// What positions are over.
@@ -94,6 +96,7 @@ impl<'c> Follower<'c> {
         kind: TrackKind,
         curve: &'c Curve,
         positions: &Positions,
+        denominator: &'c Integer,
         budget: u64,
         events: &mut Events,
     ) -> io::Result<Result<Follower<'c>, String>> {
@@ -105,6 +108,7 @@ impl<'c> Follower<'c> {
             planted: 0,
             edits: 0,
             budget,
+            denominator,
             looked: true,
             contact: None,
             stuck: None,
@@ -127,7 +131,7 @@ impl<'c> Follower<'c> {
     }
 
     fn tree(&mut self, positions: &Positions) -> Result<Vec<Token>, Stuck> {
-        let snapshots = [Snapshot::new(positions, 0)];
+        let snapshots = [Snapshot::new(positions, self.denominator, 0)];
         let whole = self.shape.whole();
         let mut geometry = Geometry::new(&mut self.shape, &snapshots);
         let mut search = Search {
@@ -192,7 +196,7 @@ impl<'c> Follower<'c> {
     }
 
     /// Do all leaves hold at the next frame, without a change?
-    fn keeps(&mut self, step: &Step) -> bool {
+    fn keeps(&mut self, step: &Stretch) -> bool {
         let moved = match self.looked {
             true => Moved::By(step.displacements),
             false => Moved::All,
@@ -218,7 +222,7 @@ impl<'c> Follower<'c> {
         if self.table.check(&from.positions, Moved::All).is_some() {
             return Ok(Err(Failure::Inexact));
         }
-        let snapshots = [from, to].map(|placed| Snapshot::new(&placed.positions, placed.exponent));
+        let snapshots = [from, to].map(|placed| Snapshot::new(&placed.positions, self.denominator, placed.exponent));
         let mut geometry = Geometry::new(&mut self.shape, &snapshots);
         for leaf in failing {
             let Some((a, b, _)) = self.table.leaf(leaf) else {
@@ -251,6 +255,14 @@ impl<'c> Follower<'c> {
     }
 }
 
+/// The time by which a contact shows a meeting.
+fn end_of(contact: &Contact) -> &Rational {
+    match contact {
+        Contact::Touch { time, .. } | Contact::Crossing { time, .. } => time,
+        Contact::Passage { times, .. } => &times[1],
+    }
+}
+
 /// Why a time was not reached.
 enum Failure {
     /// A pair that nothing excludes at both times.
@@ -259,7 +271,7 @@ enum Failure {
     Inexact,
 }
 
-impl Step<'_> {
+impl Stretch<'_> {
     /// Goes through the step; returns what became of those that were lost on the way, who are no longer active.
     pub fn go(&self, active: &mut Vec<Follower>, events: &mut Events) -> io::Result<Vec<Followed>> {
         let mut kept = true;
@@ -355,7 +367,7 @@ impl Step<'_> {
             for (i, inexact) in failed.into_iter().rev() {
                 let follower = &mut active[i];
                 if follower.contact.is_none() && LOOKS.contains(&width) && !inexact {
-                    follower.contact = self.look_for_contact(follower, at);
+                    follower.contact = self.look_for_contact(follower, at, false);
                 }
                 let last = match follower.contact {
                     Some(_) => NEAR,
@@ -372,7 +384,7 @@ impl Step<'_> {
         Ok(lost)
     }
 
-    fn look_for_contact(&self, follower: &Follower, at: Ticks) -> Option<Contact> {
+    fn look_for_contact(&self, follower: &Follower, at: Ticks, sooner: bool) -> Option<Contact> {
         let (stuck, to) = follower.stuck.as_ref()?;
         let stage = Stage {
             curve: follower.curve,
@@ -386,6 +398,7 @@ impl Step<'_> {
             from: fraction(at),
             to: fraction(*to),
             stuck,
+            sooner,
         };
         contact::find(&stage, &rest)
     }
@@ -400,13 +413,19 @@ impl Step<'_> {
     }
 
     /// Gives a track up at a time.
-    fn lose(&self, follower: Follower, at: Ticks, events: &mut Events) -> io::Result<Followed> {
+    fn lose(&self, mut follower: Follower, at: Ticks, events: &mut Events) -> io::Result<Followed> {
         events.push(&Event::End(follower.kind), &[])?;
         let embedded_through = Rational::from_integer(self.frame.into()) + fraction(at);
-        let meets_by = follower.contact.as_ref().map(|contact| match contact {
-            Contact::Touch { time, .. } | Contact::Crossing { time, .. } => time.clone(),
-            Contact::Passage { times, .. } => times[1].clone(),
-        });
+        if follower.contact.is_some()
+            && let Some(sooner) = self.look_for_contact(&follower, at, true)
+            && follower
+                .contact
+                .as_ref()
+                .is_some_and(|known| end_of(&sooner) < end_of(known))
+        {
+            follower.contact = Some(sooner);
+        }
+        let meets_by = follower.contact.as_ref().map(|contact| end_of(contact).clone());
         let undecided = match (&meets_by, &follower.stuck) {
             (Some(_), _) => None,
             (None, stuck) => {

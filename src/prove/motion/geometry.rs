@@ -7,7 +7,7 @@ use crate::check::motion::{Matrix, Node, Positions, Shape};
 use crate::number::{Integer, Rational, RationalExt};
 use crate::prove::vector::{Vector, add, dot, greater_of_each, greatest, lesser_of_each, middle, scale, sub};
 
-/// The positions of control points at a time, relative to the first one of them, in units of 1/Q.
+/// The positions of control points at a time, relative to the first one of them.
 pub struct Snapshot {
     points: Vec<Vector>,
     /// Products with differences of control points are right to this part of the vector's length.
@@ -17,26 +17,26 @@ pub struct Snapshot {
 /// Of the greatest coordinate: the error of a difference of split control points is well below it.
 const RELATIVE_ERROR: f64 = 1e-14;
 
+/// Denominators of fewer bits have a binary64 that is far from its limits.
+const SHORT: u64 = 500;
+
 impl Snapshot {
-    /// The positions, which are in units of 1/(2^exponent·Q).
-    pub fn new(positions: &Positions, exponent: u32) -> Snapshot {
-        let unit = 0.5f64.powi(exponent as i32);
+    /// The positions, which are in units of 1/(2^exponent·denominator).
+    pub fn new(positions: &Positions, denominator: &Integer, exponent: u32) -> Snapshot {
+        let below = denominator << exponent;
         let points: Vec<Vector> = match positions.narrow() {
-            Some(points) => {
+            Some(points) if below.bits() < SHORT => {
+                let unit = 1.0 / Rational::from_integer(below).to_f64();
                 let first = points[0];
                 // Differences of positions kept in 64 bits fit.
                 let relative = |p: &[i64; 3]| [0, 1, 2].map(|axis| (p[axis] - first[axis]) as f64 * unit);
                 points.iter().map(relative).map(|[x, y, z]| [x, y, z, 0.0]).collect()
             }
-            None => {
+            _ => {
                 let first = positions.get(0);
-                let float = |x: Integer| Rational::from_integer(x).to_f64() * unit;
-                let relative = |i: usize| {
-                    let p = positions.get(i);
-                    let [x, y, z] = [0, 1, 2].map(|axis| float(&p[axis] - &first[axis]));
-                    [x, y, z, 0.0]
-                };
-                (0..positions.len()).map(relative).collect()
+                (0..positions.len())
+                    .map(|i| difference(&positions.get(i), &first, &below))
+                    .collect()
             }
         };
         let size = points.iter().fold(0.0, |most: f64, p| most.max(greatest(p)));
@@ -47,12 +47,20 @@ impl Snapshot {
     }
 }
 
+/// (p − q)/denominator.
+pub fn difference(p: &[Integer; 3], q: &[Integer; 3], denominator: &Integer) -> Vector {
+    let axis = |axis: usize| Rational::new(&p[axis] - &q[axis], denominator.clone()).to_f64();
+    [axis(0), axis(1), axis(2), 0.0]
+}
+
 /// A node at one time.
 pub struct Placed {
     /// Its hull: control points of a part, the corners of the box of a run.
     pub hull: Vec<Vector>,
     /// Coefficients of D, up to positive factors; of a run those of all its pieces.
     pub tangents: Vec<Vector>,
+    /// Does D vanish on some piece of it, or on all of it?
+    pub idle: bool,
     /// The diagonal of its box, squared.
     pub diagonal_squared: f64,
     /// See [`Snapshot`].
@@ -119,12 +127,16 @@ impl<'g, 'c> Geometry<'g, 'c> {
         let hull = corners.collect();
         let diagonal = sub(&high, &low);
         let mut tangents = Vec::new();
+        let mut idle = false;
         for piece in first..last {
-            tangents.extend(field(&self.piece(piece)[time]));
+            let of_piece = field(&self.piece(piece)[time]);
+            idle |= vanishes(&of_piece);
+            tangents.extend(of_piece);
         }
         Placed {
             hull,
             tangents,
+            idle,
             diagonal_squared: dot(&diagonal, &diagonal),
             error: self.snapshots[time].error,
         }
@@ -175,6 +187,10 @@ impl<'g, 'c> Geometry<'g, 'c> {
     }
 }
 
+fn vanishes(tangents: &[Vector]) -> bool {
+    tangents.iter().all(|v| dot(v, v) == 0.0)
+}
+
 fn bounds(points: &[Vector]) -> (Vector, Vector) {
     points.iter().fold((points[0], points[0]), |(low, high), p| {
         (lesser_of_each(&low, p), greater_of_each(&high, p))
@@ -194,8 +210,10 @@ fn part(points: &[Vector], depth: u32, index: u128, error: f64) -> Placed {
     let hull: Vec<Vector> = points.iter().map(affine).collect();
     let (low, high) = bounds(&hull);
     let diagonal = sub(&high, &low);
+    let tangents = field(&points);
     Placed {
-        tangents: field(&points),
+        idle: vanishes(&tangents),
+        tangents,
         hull,
         diagonal_squared: dot(&diagonal, &diagonal),
         error,

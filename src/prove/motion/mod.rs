@@ -24,7 +24,7 @@ use crate::claim::tree::{Token, write_token};
 use crate::curve::{Curve, Form};
 use crate::motion::{Motion, MotionError, Step};
 use crate::number::Rational;
-use follow::{Follower, Step as Passage};
+use follow::{Follower, Stretch};
 use measures::Measurer;
 pub use measures::{AsPrinted, Measures};
 
@@ -254,7 +254,14 @@ pub fn certify<'m>(motion: &'m Motion, options: &Options, progress: &dyn Fn(f64)
         let budget = options
             .budget
             .unwrap_or(500_000 + 64 * followed_curve.chain().count() as u64);
-        match Follower::plant(kind, followed_curve, &positions, budget, &mut events)? {
+        match Follower::plant(
+            kind,
+            followed_curve,
+            &positions,
+            &motion.denominator,
+            budget,
+            &mut events,
+        )? {
             Ok(follower) => active.push(follower),
             Err(why) => followed.push(unfollowed(kind, format!("at time 0 {why}"))),
         }
@@ -269,14 +276,14 @@ pub fn certify<'m>(motion: &'m Motion, options: &Options, progress: &dyn Fn(f64)
         let fails = |error| Error::Step { step: frame + 1, error };
         next.apply(&displacements).map_err(fails)?;
         shape.stays_closed(&next).map_err(fails)?;
-        let passage = Passage {
+        let stretch = Stretch {
             frame,
             denominator: &motion.denominator,
             positions: &positions,
             next: &next,
             displacements: &displacements,
         };
-        followed.extend(passage.go(&mut active, &mut events)?);
+        followed.extend(stretch.go(&mut active, &mut events)?);
         if let Some(measurer) = &mut measurer {
             measurer.update(&next, &displacements, frame + 1);
         }

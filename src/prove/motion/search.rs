@@ -121,6 +121,9 @@ impl Search<'_, '_, '_> {
 /// A vector with which all tangents have positive products, for certain.
 fn increasing(a: &[Placed], b: &[Placed]) -> Option<[i64; 3]> {
     let all = || a.iter().chain(b);
+    if all().any(|placed| placed.idle) {
+        return None;
+    }
     let tangents: Vec<Vector> = all().flat_map(|placed| &placed.tangents).copied().collect();
     let units: Vec<Vector> = tangents.iter().filter_map(unit).collect();
     // Long and short tangents together: the shortest vector of the hull first, which leaves the most room, then directions alone.
@@ -135,13 +138,8 @@ fn increasing(a: &[Placed], b: &[Placed]) -> Option<[i64; 3]> {
             let length = dot(&as_float, &as_float).sqrt();
             let holds = all().all(|placed| {
                 let room = length * placed.error;
-                let mut some = false;
-                let each = placed.tangents.iter().all(|v| {
-                    let zero = dot(v, v) == 0.0;
-                    some |= !zero;
-                    zero || dot(v, &as_float) > room
-                });
-                each && some
+                let each = |v: &Vector| dot(v, v) == 0.0 || dot(v, &as_float) > room;
+                placed.tangents.iter().all(each)
             });
             if holds {
                 return Some(n);
