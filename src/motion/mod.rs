@@ -235,11 +235,9 @@ impl Motion {
                 return Err(MotionError::new(place, what));
             }
         }
-        if self.strategy == Strategy::C1 {
-            // Joints go to midpoints.
-            denominator = denominator << 1u32;
-        }
-        self.denominator = denominator;
+        // Joints go to midpoints.
+        let halves = u32::from(self.strategy == Strategy::C1);
+        self.denominator = denominator << halves;
         self.steps = steps;
         Ok(())
     }

@@ -41,10 +41,10 @@ fn times(rest: &Rest) -> Vec<Rational> {
     let two = Rational::from_integer(2.into());
     let mut times = vec![one.clone()];
     let simple = simplest_between(&rest.from, &rest.to);
-    let mut part = (&one - &rest.from) / &two;
+    let mut part = &one - &rest.from;
     for _ in 0..7 {
+        part /= &two;
         times.push(&rest.from + &part);
-        part = part / &two;
     }
     times.extend([simple, rest.to.clone()]);
     times.retain(|time| *time > rest.from && *time <= one);
