@@ -27,7 +27,7 @@ pub fn find(stage: &Stage, rest: &Rest) -> Option<Contact> {
     let after = &frame + &rest.from;
     let by = &frame + Rational::from_integer(1.into());
     let holds = |contact: &Contact| matches!(stage.shows(contact, &after, &by), Ok(Ok(())));
-    let found = if stage.curve.dimension() == 2 || rest.sooner {
+    let found = if stage.curve.dimension() == 2 {
         at_one_time(stage, rest)
     } else {
         passing(stage, rest, &holds).or_else(|| at_one_time(stage, rest))
@@ -245,7 +245,7 @@ fn boxed(stage: &Stage, root: &Root, from: &Rational, holds: &dyn Fn(&Contact) -
     let time = Rational::from_f64(root.time)?;
     let frame = Rational::from_integer(stage.frame.into());
     let one = Rational::from_integer(1.into());
-    for bits in [10u32, 14, 18, 22, 26, 30, 34, 38] {
+    for bits in [24u32, 30, 20, 16, 12, 36, 10] {
         for finer in [0u32, 4, 8] {
             let step = |bits: u32| Rational::new(Integer::ONE, Integer::ONE << bits);
             let around = |x: &Rational, bits: u32| {
