@@ -9,6 +9,9 @@ mod certify;
 #[path = "cli/check.rs"]
 mod check;
 #[cfg(feature = "prove")]
+#[path = "cli/compare.rs"]
+mod compare;
+#[cfg(feature = "prove")]
 #[path = "cli/curvature.rs"]
 mod curvature;
 #[cfg(feature = "prove")]
@@ -22,8 +25,14 @@ mod domain;
 mod embedding;
 #[path = "cli/help.rs"]
 mod help;
+#[cfg(feature = "prove")]
+#[path = "cli/motion.rs"]
+mod motion;
 #[path = "cli/run.rs"]
 mod run;
+#[cfg(feature = "prove")]
+#[path = "cli/show.rs"]
+mod show;
 #[cfg(feature = "prove")]
 #[path = "cli/usage.rs"]
 mod usage;
