@@ -4,10 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Modules under `src` with those each may use. What is not listed may use nothing that is.
-const MAY_USE: [(&str, &[&str]); 13] = [
+const MAY_USE: [(&str, &[&str]); 15] = [
     ("number", &[]),
     ("polytope", &["number"]),
     ("curve", &["number"]),
+    ("approximation", &["number", "curve"]),
     ("motion", &["number", "curve"]),
     ("claim", &["number"]),
     ("certificate", &["number", "curve", "claim"]),
@@ -20,10 +21,24 @@ const MAY_USE: [(&str, &[&str]); 13] = [
             "polytope",
             "curve",
             "motion",
+            "approximation",
             "claim",
             "certificate",
             "check",
             "float",
+        ],
+    ),
+    (
+        "compare",
+        &[
+            "number",
+            "curve",
+            "approximation",
+            "claim",
+            "certificate",
+            "check",
+            "float",
+            "prove",
         ],
     ),
     (
@@ -37,11 +52,13 @@ const MAY_USE: [(&str, &[&str]); 13] = [
             "number",
             "curve",
             "motion",
+            "approximation",
             "claim",
             "certificate",
             "check",
             "float",
             "prove",
+            "compare",
             "validate",
             "show",
         ],

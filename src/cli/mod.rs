@@ -1,9 +1,13 @@
 //! The command line: its arguments, one file for each subcommand, exit codes.
 
+#[cfg(feature = "prove")]
+mod atomic_file;
 mod bounds;
 #[cfg(feature = "prove")]
 mod certify;
 mod check;
+#[cfg(feature = "prove")]
+mod compare;
 mod curvature_words;
 mod deviation_words;
 mod domain_words;
@@ -12,6 +16,8 @@ mod failure;
 mod input;
 mod motion_words;
 mod output;
+#[cfg(feature = "prove")]
+mod show;
 mod thickness_words;
 
 use std::process::ExitCode;
@@ -39,6 +45,10 @@ enum Command {
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "prove")]
+    Show(show::Arguments),
+    #[cfg(feature = "prove")]
+    Compare(compare::Arguments),
 }
 
 /// What every subcommand prints.
@@ -84,6 +94,10 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "prove")]
         Command::Certify(arguments) => certify::run(arguments),
         Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Show(arguments) => show::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Compare(arguments) => compare::run(&arguments),
     };
     outcome
         .unwrap_or_else(|failure| {

@@ -1,6 +1,5 @@
 //! `knotproof certify`: proves a claim about a curve.
 
-mod atomic_file;
 mod curvature;
 mod deviation;
 mod domain;
@@ -9,7 +8,7 @@ mod motion;
 mod motion_report;
 mod msd;
 mod output_file;
-mod progress;
+pub mod progress;
 mod report;
 mod thickness;
 
