@@ -272,6 +272,7 @@ impl StatementLine {
             | StatementLine::Deviation { words, .. }
             | StatementLine::Thickness { words, .. }
             | StatementLine::Curvature { words, .. }
+            | StatementLine::Motion { words, .. }
             | StatementLine::Embedding { words, .. } => words,
         }
     }

@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use knotproof::certificate::{Document, Encoding, MotionHash, curve_sha256, read, write};
 use knotproof::claim::motion::{Event, EventSource, write_event};
-use knotproof::claim::tree::{Token, TokenSource, write_token};
+use knotproof::claim::tree::{Token, write_token};
 use knotproof::curve::{Curve, read_curve};
 use serde_json::{Map, Value, json};
 

@@ -184,7 +184,7 @@ fn mutated_bytes(bytes: &[u8], judge: &mut dyn FnMut(Vec<u8>, &str)) {
         if i > 0 && bytes[i - 1] != *byte {
             let mut exchanged = bytes.to_vec();
             exchanged.swap(i - 1, i);
-            tally.judge(exchanged, &format!("bytes {} and {i} exchanged", i - 1));
+            judge(exchanged, &format!("bytes {} and {i} exchanged", i - 1));
         }
     }
 }
