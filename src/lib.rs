@@ -57,3 +57,5 @@ pub mod number;
 pub mod polytope;
 #[cfg(feature = "prove")]
 pub mod prove;
+#[cfg(feature = "prove")]
+pub mod show;

@@ -28,5 +28,8 @@ mod help;
 #[path = "cli/run.rs"]
 mod run;
 #[cfg(feature = "prove")]
+#[path = "cli/show.rs"]
+mod show;
+#[cfg(feature = "prove")]
 #[path = "cli/usage.rs"]
 mod usage;

@@ -1,5 +1,7 @@
 //! The command line: its arguments, one file for each subcommand, exit codes.
 
+#[cfg(feature = "prove")]
+mod atomic_file;
 mod bounds;
 #[cfg(feature = "prove")]
 mod certify;
@@ -13,6 +15,8 @@ mod embedding_words;
 mod failure;
 mod input;
 mod output;
+#[cfg(feature = "prove")]
+mod show;
 mod thickness_words;
 
 use std::process::ExitCode;
@@ -40,6 +44,8 @@ enum Command {
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "prove")]
+    Show(show::Arguments),
     #[cfg(feature = "prove")]
     Compare(compare::Arguments),
 }
@@ -87,6 +93,8 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "prove")]
         Command::Certify(arguments) => certify::run(arguments),
         Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Show(arguments) => show::run(&arguments),
         #[cfg(feature = "prove")]
         Command::Compare(arguments) => compare::run(&arguments),
     };
