@@ -15,6 +15,7 @@ use super::domain_words::{self, DomainLine};
 use super::embedding_words::{self, EmbeddingLine};
 use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
+use super::motion_words::{self, MotionLine};
 use super::output::{complain, say, say_json};
 use super::thickness_words::{self, ThicknessLine};
 use super::{Exit, Printing};
@@ -112,6 +113,12 @@ pub enum StatementLine {
     Embedding {
         #[serde(flatten)]
         line: EmbeddingLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Motion {
+        #[serde(flatten)]
+        line: Box<MotionLine>,
         #[serde(skip)]
         words: String,
     },
@@ -214,6 +221,10 @@ pub fn statement(document: &Document) -> StatementLine {
             line: CurvatureLine::new(&content.statement),
             words: curvature_words::in_words(&content.statement),
         },
+        Claim::Motion(content) => StatementLine::Motion {
+            line: Box::new(MotionLine::new(&content.statement)),
+            words: motion_words::in_words(&content.statement),
+        },
         Claim::Embedding(content) => StatementLine::Embedding {
             line: EmbeddingLine::new(&content.statement),
             words: embedding_words::in_words(&content.statement),
@@ -261,7 +272,8 @@ impl StatementLine {
             | StatementLine::Deviation { words, .. }
             | StatementLine::Thickness { words, .. }
             | StatementLine::Curvature { words, .. }
-            | StatementLine::Embedding { words, .. } => words,
+            | StatementLine::Embedding { words, .. }
+            | StatementLine::Motion { words, .. } => words,
         }
     }
 }
@@ -287,7 +299,7 @@ impl Outcome {
                         line.convention,
                         leaves_in_words(*leaves),
                     ),
-                    StatementLine::Embedding { words, .. } => format!(
+                    StatementLine::Embedding { words, .. } | StatementLine::Motion { words, .. } => format!(
                         "accepted: {input}: {words} (curve {curve}…, {})\n",
                         leaves_in_words(*leaves),
                     ),
