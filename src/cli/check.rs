@@ -265,6 +265,7 @@ fn hexadecimal(bytes: &[u8]) -> String {
 
 impl StatementLine {
     /// The statement in words.
+    #[cfg(feature = "prove")]
     pub fn words(&self) -> &str {
         match self {
             StatementLine::Msd { words, .. }
