@@ -12,6 +12,7 @@ mod failure;
 mod input;
 mod output;
 mod thickness_words;
+mod values_words;
 
 use std::process::ExitCode;
 
