@@ -1,7 +1,7 @@
 //! Statements about results of operations, for programs and for people.
 
 use knotproof::claim::values::{Operation, Outcome, Statement};
-use knotproof::number::RationalExt;
+use knotproof::number::{Rational, RationalExt};
 use serde::Serialize;
 
 use super::domain_words::roots;
@@ -93,7 +93,6 @@ pub fn in_words(statement: &Statement) -> String {
         let Outcome::DistanceSquared { lower, upper } = &entry.outcome else {
             continue;
         };
-        let [lower, upper] = roots(lower, upper);
         let to = match &entry.operation {
             Operation::CurveDistance { .. } => "the other curve".to_string(),
             Operation::NearestPoint { target } => {
@@ -102,10 +101,19 @@ pub fn in_words(statement: &Statement) -> String {
             }
             _ => continue,
         };
-        words += &match lower == upper {
-            true => format!("; the distance to {to} is exactly {lower}"),
-            false => format!("; the distance to {to} is between {lower} and {upper}"),
-        };
+        words += &format!("; the distance to {to} is {}", distance_in_words(lower, upper));
     }
     words
+}
+
+/// A distance of which the square is between two numbers.
+fn distance_in_words(lower_squared: &Rational, upper_squared: &Rational) -> String {
+    let [lower, upper] = roots(lower_squared, upper_squared);
+    if lower == upper {
+        return format!("exactly {lower}");
+    }
+    match lower_squared == upper_squared {
+        true => format!("exactly the square root of {}", lower_squared.format()),
+        false => format!("between {lower} and {upper}"),
+    }
 }

@@ -337,7 +337,7 @@ fn curves(cases: &mut Cases) {
         let mut curve = spline(
             2,
             json!([0, 0, 0, "1/2", 1, 1, 1]),
-            json!([[1, 0], [1, "1/2"], ["2/3", 1], [0, 1]]),
+            json!([[1, 0], [1, "1/2"], ["1/3", 1], [0, 1]]),
         );
         curve["bspline"]["weights"] = weights;
         curve
