@@ -16,7 +16,7 @@ fn series(columns: &[Vec<Integer>], u: &Rational, order: usize) -> Vec<Vec<Integ
         let mut power = Integer::ONE;
         for j in (0..=degree).rev() {
             row[j] = &row[j] * &power;
-            power = power * b;
+            power *= b;
         }
         let mut scale = Integer::ONE;
         (0..=order)
