@@ -44,12 +44,18 @@
 //! # #[cfg(not(feature = "prove"))]
 //! # fn main() {}
 //! ```
+#[cfg(feature = "prove")]
+pub mod approximation;
 pub mod certificate;
 pub mod check;
 pub mod claim;
+#[cfg(feature = "prove")]
+pub mod compare;
 pub mod curve;
 pub mod number;
 #[cfg(feature = "prove")]
 pub mod polytope;
 #[cfg(feature = "prove")]
 pub mod prove;
+#[cfg(feature = "prove")]
+pub mod show;
