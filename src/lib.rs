@@ -52,6 +52,8 @@ pub mod claim;
 #[cfg(feature = "prove")]
 pub mod compare;
 pub mod curve;
+#[cfg(feature = "prove")]
+pub mod motion;
 pub mod number;
 #[cfg(feature = "prove")]
 pub mod polytope;

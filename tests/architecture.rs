@@ -4,11 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Modules under `src` with those each may use. What is not listed may use nothing that is.
-const MAY_USE: [(&str, &[&str]); 14] = [
+const MAY_USE: [(&str, &[&str]); 15] = [
     ("number", &[]),
     ("polytope", &["number"]),
     ("curve", &["number"]),
     ("approximation", &["number", "curve"]),
+    ("motion", &["number", "curve"]),
     ("claim", &["number", "curve"]),
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
@@ -20,6 +21,7 @@ const MAY_USE: [(&str, &[&str]); 14] = [
             "polytope",
             "curve",
             "approximation",
+            "motion",
             "claim",
             "certificate",
             "check",
@@ -50,6 +52,7 @@ const MAY_USE: [(&str, &[&str]); 14] = [
             "number",
             "curve",
             "approximation",
+            "motion",
             "claim",
             "certificate",
             "check",

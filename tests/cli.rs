@@ -25,6 +25,9 @@ mod domain;
 mod embedding;
 #[path = "cli/help.rs"]
 mod help;
+#[cfg(feature = "prove")]
+#[path = "cli/motion.rs"]
+mod motion;
 #[path = "cli/run.rs"]
 mod run;
 #[cfg(feature = "prove")]

@@ -15,6 +15,7 @@ use super::domain_words::{self, DomainLine};
 use super::embedding_words::{self, EmbeddingLine};
 use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
+use super::motion_words::{self, MotionLine};
 use super::output::{complain, say, say_json};
 use super::thickness_words::{self, ThicknessLine};
 use super::values_words::{self, ValuesLine};
@@ -113,6 +114,12 @@ pub enum StatementLine {
     Embedding {
         #[serde(flatten)]
         line: EmbeddingLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Motion {
+        #[serde(flatten)]
+        line: Box<MotionLine>,
         #[serde(skip)]
         words: String,
     },
@@ -221,6 +228,10 @@ pub fn statement(document: &Document) -> StatementLine {
             line: CurvatureLine::new(&content.statement),
             words: curvature_words::in_words(&content.statement),
         },
+        Claim::Motion(content) => StatementLine::Motion {
+            line: Box::new(MotionLine::new(&content.statement)),
+            words: motion_words::in_words(&content.statement),
+        },
         Claim::Embedding(content) => StatementLine::Embedding {
             line: EmbeddingLine::new(&content.statement),
             words: embedding_words::in_words(&content.statement),
@@ -263,6 +274,7 @@ fn hexadecimal(bytes: &[u8]) -> String {
     })
 }
 
+#[cfg(feature = "prove")]
 impl StatementLine {
     /// The statement in words.
     pub fn words(&self) -> &str {
@@ -273,7 +285,8 @@ impl StatementLine {
             | StatementLine::Thickness { words, .. }
             | StatementLine::Curvature { words, .. }
             | StatementLine::Embedding { words, .. }
-            | StatementLine::Values { words, .. } => words,
+            | StatementLine::Values { words, .. }
+            | StatementLine::Motion { words, .. } => words,
         }
     }
 }
@@ -299,7 +312,7 @@ impl Outcome {
                         line.convention,
                         leaves_in_words(*leaves),
                     ),
-                    StatementLine::Embedding { words, .. } => format!(
+                    StatementLine::Embedding { words, .. } | StatementLine::Motion { words, .. } => format!(
                         "accepted: {input}: {words} (curve {curve}…, {})\n",
                         leaves_in_words(*leaves),
                     ),

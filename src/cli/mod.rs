@@ -14,6 +14,7 @@ mod domain_words;
 mod embedding_words;
 mod failure;
 mod input;
+mod motion_words;
 mod output;
 #[cfg(feature = "prove")]
 mod show;
