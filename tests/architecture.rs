@@ -10,7 +10,7 @@ const MAY_USE: [(&str, &[&str]); 15] = [
     ("curve", &["number"]),
     ("approximation", &["number", "curve"]),
     ("motion", &["number", "curve"]),
-    ("claim", &["number"]),
+    ("claim", &["number", "curve"]),
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
     ("float", &["number", "curve"]),

@@ -36,3 +36,6 @@ mod show;
 #[cfg(feature = "prove")]
 #[path = "cli/usage.rs"]
 mod usage;
+#[cfg(feature = "prove")]
+#[path = "cli/values.rs"]
+mod values;

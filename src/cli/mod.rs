@@ -19,6 +19,7 @@ mod output;
 #[cfg(feature = "prove")]
 mod show;
 mod thickness_words;
+mod values_words;
 
 use std::process::ExitCode;
 
