@@ -48,8 +48,12 @@ pub mod certificate;
 pub mod check;
 pub mod claim;
 pub mod curve;
+#[cfg(feature = "prove")]
+pub mod engine;
 pub mod number;
 #[cfg(feature = "prove")]
 pub mod polytope;
 #[cfg(feature = "prove")]
 pub mod prove;
+#[cfg(feature = "prove")]
+pub mod validate;

@@ -4,21 +4,22 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Modules under `src` with those each may use. What is not listed may use nothing that is.
-const MAY_USE: [(&str, &[&str]); 12] = [
+const MAY_USE: [(&str, &[&str]); 13] = [
     ("number", &[]),
     ("polytope", &["number"]),
     ("curve", &["number"]),
     ("claim", &["number"]),
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
-    ("float", &["number", "curve"]),
+    ("engine", &["number", "curve"]),
+    ("float", &["number", "curve", "engine"]),
     (
         "prove",
         &["number", "polytope", "curve", "claim", "certificate", "check", "float"],
     ),
     (
         "validate",
-        &["number", "curve", "claim", "certificate", "check", "float"],
+        &["number", "curve", "claim", "certificate", "check", "engine", "float"],
     ),
     ("show", &["number", "curve", "claim", "certificate", "check", "float"]),
     (
@@ -29,6 +30,7 @@ const MAY_USE: [(&str, &[&str]); 12] = [
             "claim",
             "certificate",
             "check",
+            "engine",
             "float",
             "prove",
             "validate",
