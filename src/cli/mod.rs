@@ -2,6 +2,8 @@
 
 mod bounds;
 #[cfg(feature = "prove")]
+mod cases;
+#[cfg(feature = "prove")]
 mod certify;
 mod check;
 mod curvature_words;
@@ -12,6 +14,8 @@ mod failure;
 mod input;
 mod output;
 mod thickness_words;
+#[cfg(feature = "prove")]
+mod validate;
 
 use std::process::ExitCode;
 
@@ -38,6 +42,10 @@ enum Command {
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "prove")]
+    Validate(validate::Arguments),
+    #[cfg(feature = "prove")]
+    Cases(cases::Arguments),
 }
 
 /// What every subcommand prints.
@@ -83,6 +91,10 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "prove")]
         Command::Certify(arguments) => certify::run(arguments),
         Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Validate(arguments) => validate::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Cases(arguments) => cases::run(&arguments),
     };
     outcome
         .unwrap_or_else(|failure| {
