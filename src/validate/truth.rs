@@ -5,7 +5,7 @@ use num_traits::{Signed, Zero};
 use super::condition::{Condition, curvature_unit, torsion_unit};
 use super::distance;
 use super::structure::{Expected, Multiplicity};
-use crate::curve::{BSpline, Curve};
+use crate::curve::{BSpline, Curve, Side};
 use crate::engine::{Case, FloatCurve, Operation};
 use crate::number::{Rational, RationalExt, sqrt_enclosure};
 
@@ -129,8 +129,10 @@ fn of_curve(case: &Case, spline: BSpline, msd: &MsdOracle<'_>) -> Result<Truth, 
         Operation::RemoveKnot { parameter, times } => {
             let t = number(*parameter)?;
             let most = spline.multiplicity(&t).checked_sub(*times);
+            let most = most.ok_or("the knot is not there so often")?;
+            check_removable(&spline, &t, most)?;
             let mut expected = Expected::whole(&case.curve, spline);
-            expected.multiplicity = Some(Multiplicity::AtMost(t, most.ok_or("the knot is not there so often")?));
+            expected.multiplicity = Some(Multiplicity::AtMost(t, most));
             Truth::Curves(Box::new(expected))
         }
         Operation::ElevateDegree { times } => {
@@ -208,7 +210,26 @@ impl Truth {
     }
 }
 
-/// Whether the same numbers, for the three products of curvature and torsion.
+/// A knot can have the multiplicity m when the homogeneous curve has p − m continuous derivatives there.
+fn check_removable(spline: &BSpline, t: &Rational, multiplicity: usize) -> Result<(), String> {
+    let (start, end) = spline.domain();
+    if *t <= start || *t >= end {
+        return Err("only knots inside the domain are removed".into());
+    }
+    let order = spline.degree() - multiplicity.min(spline.degree());
+    // With k arguments s and the rest t, blossoms are combinations of the derivatives at t up to order k.
+    let s = (t + &end) / Rational::from_integer(2.into());
+    let mut arguments = vec![t.clone(); spline.degree()];
+    for k in 0..=order {
+        arguments[..k].fill(s.clone());
+        let sides = [Side::Before, Side::After].map(|side| spline.blossom(t, side, &arguments));
+        if sides[0] != sides[1] {
+            return Err("the knot is not exactly removable".into());
+        }
+    }
+    Ok(())
+}
+
 fn dot(a: &[Rational], b: &[Rational]) -> Rational {
     a.iter().zip(b).fold(Rational::zero(), |sum, (x, y)| sum + x * y)
 }

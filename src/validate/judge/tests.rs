@@ -177,7 +177,7 @@ fn other_parametrisations_and_degrees() {
     }
     right(cubic(), elevate(), Returned::Curve(elevated.clone()));
     wrong(cubic(), elevate(), Returned::Curve(cubic()), Kind::OtherForm);
-    elevated.knots[5] = 0.75;
+    elevated.knots[5..7].fill(0.75);
     wrong(cubic(), elevate(), Returned::Curve(elevated), Kind::OtherValue);
 }
 
