@@ -27,3 +27,6 @@ mod run;
 #[cfg(feature = "prove")]
 #[path = "cli/usage.rs"]
 mod usage;
+#[cfg(feature = "prove")]
+#[path = "cli/validate.rs"]
+mod validate;

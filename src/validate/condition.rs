@@ -29,11 +29,10 @@ impl Condition {
     pub(super) fn new(
         curve: &FloatCurve,
         spline: &BSpline,
-        parameter: f64,
+        t: &Rational,
         order: usize,
     ) -> Result<Vec<Condition>, String> {
         let scale = Condition::scale(curve);
-        let t = Rational::from_f64(parameter).ok_or("the parameter is not finite")?;
         let size = curve.knots.iter().fold(0.0_f64, |most, t| most.max(t.abs()));
         let slack = Rational::from_f64(size * 2.0 * f64::EPSILON).ok_or("the knots are too large")?;
         let owned = Curve::from(spline.clone());
@@ -42,7 +41,7 @@ impl Condition {
         for i in 0..chain.count() {
             let Some(piece) = chain.piece(i) else { continue };
             let (start, end) = &piece.knots;
-            if t < start - &slack || t > end + &slack {
+            if *t < start - &slack || *t > end + &slack {
                 continue;
             }
             let length = end - start;

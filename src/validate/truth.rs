@@ -88,92 +88,127 @@ pub fn truth(case: &Case, msd: &MsdOracle<'_>) -> Truth {
 }
 
 fn of_curve(case: &Case, spline: BSpline, msd: &MsdOracle<'_>) -> Result<Truth, String> {
-    let number = |t: f64| Rational::from_f64(t).ok_or_else(|| format!("the parameter {t} is not finite"));
-    Ok(match &case.operation {
-        Operation::Point { parameter } => {
-            let vector = spline.evaluate(&number(*parameter)?).map_err(|e| e.to_string())?;
-            let unit = Condition::scale(&case.curve) * f64::EPSILON;
-            Truth::Vectors(vec![ExactVector { vector, unit }])
-        }
-        Operation::Derivative { parameter, order, .. } => {
-            let choices = Condition::new(&case.curve, &spline, *parameter, *order)?;
-            let last = |c: Condition| ExactVector {
-                unit: c.sizes[*order] * f64::EPSILON,
-                vector: c.derivatives.into_iter().next_back().unwrap_or_default(),
-            };
-            Truth::Vectors(choices.into_iter().map(last).collect())
-        }
-        Operation::Curvature { parameter, .. } => {
-            let choices = Condition::new(&case.curve, &spline, *parameter, 2)?;
-            let values: Option<Vec<Enclosed>> = choices.iter().map(curvature).collect();
-            Truth::Values {
-                choices: values.ok_or("the derivative is zero there: there is no curvature")?,
-                unsigned: true,
-            }
-        }
-        Operation::Torsion { parameter, .. } => {
-            let choices = Condition::new(&case.curve, &spline, *parameter, 3)?;
-            let values: Option<Vec<Enclosed>> = choices.iter().map(torsion).collect();
-            Truth::Values {
-                choices: values.ok_or("the curvature is zero there: there is no torsion")?,
-                unsigned: false,
-            }
-        }
-        Operation::InsertKnot { parameter, times } => {
-            let t = number(*parameter)?;
-            let least = spline.multiplicity(&t) + times;
-            let mut expected = Expected::whole(&case.curve, spline);
-            expected.multiplicity = Some(Multiplicity::AtLeast(t, least));
-            Truth::Curves(Box::new(expected))
-        }
-        Operation::RemoveKnot { parameter, times } => {
-            let t = number(*parameter)?;
-            let most = spline.multiplicity(&t).checked_sub(*times);
-            let most = most.ok_or("the knot is not there so often")?;
-            check_removable(&spline, &t, most)?;
-            let mut expected = Expected::whole(&case.curve, spline);
-            expected.multiplicity = Some(Multiplicity::AtMost(t, most));
-            Truth::Curves(Box::new(expected))
-        }
-        Operation::ElevateDegree { times } => {
-            let mut expected = Expected::whole(&case.curve, spline);
-            expected.degree = Some(case.curve.degree + times);
-            Truth::Curves(Box::new(expected))
-        }
-        Operation::Split { parameter } => {
-            let t = number(*parameter)?;
-            let (start, end) = spline.domain();
-            if t <= start || t >= end {
-                return Err("the parameter is an end of the domain: there is nothing to split".into());
-            }
-            let parts = vec![(start, t.clone()), (t, end)];
-            Truth::Curves(Box::new(Expected::parts(&case.curve, spline, parts)))
-        }
-        Operation::Decompose => {
-            let curve = Curve::from(spline.clone());
-            let chain = curve.chain();
-            let parts = (0..chain.count()).filter_map(|i| chain.piece(i).map(|piece| piece.knots));
-            let parts = parts.collect();
-            let mut expected = Expected::parts(&case.curve, spline, parts);
-            expected.bezier = true;
-            Truth::Curves(Box::new(expected))
-        }
+    let number = |t: &f64| Rational::from_f64(*t).ok_or_else(|| format!("the parameter {t} is not finite"));
+    let about = About {
+        curve: &case.curve,
+        spline,
+    };
+    match &case.operation {
+        Operation::Point { parameter } => about.point(&number(parameter)?),
+        Operation::Derivative { parameter, order, .. } => about.derivative(&number(parameter)?, *order),
+        Operation::Curvature { parameter, .. } => about.curvature(&number(parameter)?),
+        Operation::Torsion { parameter, .. } => about.torsion(&number(parameter)?),
+        Operation::InsertKnot { parameter, times } => about.insertion(number(parameter)?, *times),
+        Operation::RemoveKnot { parameter, times } => about.removal(number(parameter)?, *times),
+        Operation::ElevateDegree { times } => Ok(about.elevation(*times)),
+        Operation::Split { parameter } => about.split(number(parameter)?),
+        Operation::Decompose => Ok(about.decomposition()),
         Operation::NearestPoint { target } => {
             let exact: Option<Vec<Rational>> = target.iter().map(|x| Rational::from_f64(*x)).collect();
             let exact = exact.ok_or("the target is not finite")?;
             let scale = target.iter().fold(Condition::scale(&case.curve), |s, x| s.max(x.abs()));
-            Truth::of_distance(&distance::to_point(&spline, &exact, scale), scale, "c")
+            Ok(Truth::of_distance(
+                &distance::to_point(&about.spline, &exact, scale),
+                scale,
+                "c",
+            ))
         }
         Operation::CurveDistance { other } => {
             let scale = Condition::scale(&case.curve).max(Condition::scale(other));
             let other = other.exact().map_err(|e| format!("the other curve is none: {e}"))?;
-            Truth::of_distance(&distance::between(&spline, &other, scale), scale, "c, other")
+            Ok(Truth::of_distance(
+                &distance::between(&about.spline, &other, scale),
+                scale,
+                "c, other",
+            ))
         }
-        Operation::Msd => Truth::of_msd(&msd(&Curve::from(spline))?, &case.curve),
-        Operation::ConvexDomain { .. } => {
-            return Err("polygons of convex domains are judged against certificates only".into());
+        Operation::Msd => Ok(Truth::of_msd(&msd(&Curve::from(about.spline))?, &case.curve)),
+        Operation::ConvexDomain { .. } => Err("polygons of convex domains are not judged".into()),
+    }
+}
+
+/// An exact curve, and its numbers in binary64, of which the units are made.
+pub(super) struct About<'c> {
+    pub(super) curve: &'c FloatCurve,
+    pub(super) spline: BSpline,
+}
+
+impl About<'_> {
+    pub(super) fn point(&self, t: &Rational) -> Result<Truth, String> {
+        let vector = self.spline.evaluate(t).map_err(|e| e.to_string())?;
+        let unit = Condition::scale(self.curve) * f64::EPSILON;
+        Ok(Truth::Vectors(vec![ExactVector { vector, unit }]))
+    }
+
+    fn sides(&self, t: &Rational, order: usize) -> Result<Vec<Condition>, String> {
+        Condition::new(self.curve, &self.spline, t, order)
+    }
+
+    pub(super) fn derivative(&self, t: &Rational, order: usize) -> Result<Truth, String> {
+        let last = |c: Condition| ExactVector {
+            unit: c.sizes[order] * f64::EPSILON,
+            vector: c.derivatives.into_iter().next_back().unwrap_or_default(),
+        };
+        Ok(Truth::Vectors(self.sides(t, order)?.into_iter().map(last).collect()))
+    }
+
+    pub(super) fn curvature(&self, t: &Rational) -> Result<Truth, String> {
+        let values: Option<Vec<Enclosed>> = self.sides(t, 2)?.iter().map(curvature).collect();
+        Ok(Truth::Values {
+            choices: values.ok_or("the derivative is zero there: there is no curvature")?,
+            unsigned: true,
+        })
+    }
+
+    pub(super) fn torsion(&self, t: &Rational) -> Result<Truth, String> {
+        let values: Option<Vec<Enclosed>> = self.sides(t, 3)?.iter().map(torsion).collect();
+        Ok(Truth::Values {
+            choices: values.ok_or("the curvature is zero there: there is no torsion")?,
+            unsigned: false,
+        })
+    }
+
+    pub(super) fn insertion(self, t: Rational, times: usize) -> Result<Truth, String> {
+        let least = self.spline.multiplicity(&t) + times;
+        let mut expected = Expected::whole(self.curve, self.spline);
+        expected.multiplicity = Some(Multiplicity::AtLeast(t, least));
+        Ok(Truth::Curves(Box::new(expected)))
+    }
+
+    pub(super) fn removal(self, t: Rational, times: usize) -> Result<Truth, String> {
+        let most = self.spline.multiplicity(&t).checked_sub(times);
+        let most = most.ok_or("the knot is not there so often")?;
+        check_removable(&self.spline, &t, most)?;
+        let mut expected = Expected::whole(self.curve, self.spline);
+        expected.multiplicity = Some(Multiplicity::AtMost(t, most));
+        Ok(Truth::Curves(Box::new(expected)))
+    }
+
+    pub(super) fn elevation(self, times: usize) -> Truth {
+        let degree = self.spline.degree() + times;
+        let mut expected = Expected::whole(self.curve, self.spline);
+        expected.degree = Some(degree);
+        Truth::Curves(Box::new(expected))
+    }
+
+    pub(super) fn split(self, t: Rational) -> Result<Truth, String> {
+        let (start, end) = self.spline.domain();
+        if t <= start || t >= end {
+            return Err("the parameter is an end of the domain: there is nothing to split".into());
         }
-    })
+        let parts = vec![(start, t.clone()), (t, end)];
+        Ok(Truth::Curves(Box::new(Expected::parts(self.curve, self.spline, parts))))
+    }
+
+    pub(super) fn decomposition(self) -> Truth {
+        let curve = Curve::from(self.spline.clone());
+        let chain = curve.chain();
+        let parts = (0..chain.count()).filter_map(|i| chain.piece(i).map(|piece| piece.knots));
+        let parts = parts.collect();
+        let mut expected = Expected::parts(self.curve, self.spline, parts);
+        expected.bezier = true;
+        Truth::Curves(Box::new(expected))
+    }
 }
 
 impl Truth {
