@@ -4,7 +4,7 @@ use super::condition::Condition;
 use super::verdict::{Kind, Wrong};
 use super::words;
 use crate::curve::BSpline;
-use crate::engine::FloatCurve;
+use crate::engine::{FileError, FloatCurve};
 use crate::number::{Integer, Rational, RationalExt};
 
 /// Parameters this near, relative to the domain, are the same knot: one rounding and then some.
@@ -105,7 +105,7 @@ impl Expected {
         name: &str,
         worst: &mut Deviation,
     ) -> Result<(), Wrong> {
-        let curve = found.exact().map_err(|error| Wrong {
+        let components = components(found).map_err(|error| Wrong {
             kind: if error.what.contains("finite number") {
                 Kind::NotFinite
             } else {
@@ -116,30 +116,40 @@ impl Expected {
             expected: "a curve".into(),
             ulps: f64::INFINITY,
         })?;
-        let moved = self.check_form(&curve, part)?;
-        let unit = if moved { self.moved_unit } else { self.unit };
+        let (Some(first), Some(last)) = (components.first(), components.last()) else {
+            return Err(Wrong::form("nothing", "a curve"));
+        };
+        let (first, last) = (first.domain().0, last.domain().1);
+        let unit = if self.check_form(found, &components, part, (&first, &last))? {
+            self.moved_unit
+        } else {
+            self.unit
+        };
         let (start, end) = part;
-        let (first, last) = curve.domain();
         let stretch = (&last - &first) / (end - start);
-        let degree = self.source.degree().max(curve.degree());
-        let rational = self.source.weights().is_some() || curve.weights().is_some();
-        let samples = if rational { 2 * degree } else { degree };
-        for (a, b) in self.spans(part) {
-            for j in 0..=samples {
-                let share = Rational::new(Integer::from(j), Integer::from(samples));
-                let t = &a + share * (&b - &a);
-                let there = &first + (&t - start) * &stretch;
-                let (Ok(expected), Ok(got)) = (self.source.evaluate(&t), curve.evaluate(&there)) else {
-                    return Err(Wrong::form("a curve that has no point there", "a point"));
-                };
-                let off = expected.iter().zip(&got).map(|(x, y)| (x - y).to_f64().abs());
-                let ulps = off.fold(0.0, f64::max) / unit;
-                if ulps > worst.ulps || worst.place.is_empty() {
-                    let dot = if name.is_empty() { "" } else { ", " };
-                    worst.ulps = ulps;
-                    worst.place = format!("{name}{dot}at the parameter {}", words::number(&t));
-                    worst.expected = expected;
-                    worst.found = got;
+        for curve in &components {
+            let degree = self.source.degree().max(curve.degree());
+            let rational = self.source.weights().is_some() || curve.weights().is_some();
+            let samples = if rational { 2 * degree } else { degree };
+            let (a, b) = curve.domain();
+            let place = |s: &Rational| start + (s - &first) / &stretch;
+            for (a, b) in self.spans(&(place(&a), place(&b))) {
+                for j in 0..=samples {
+                    let share = Rational::new(Integer::from(j), Integer::from(samples));
+                    let t = &a + share * (&b - &a);
+                    let there = &first + (&t - start) * &stretch;
+                    let (Ok(expected), Ok(got)) = (self.source.evaluate(&t), curve.evaluate(&there)) else {
+                        return Err(Wrong::form("a curve that has no point there", "a point"));
+                    };
+                    let off = expected.iter().zip(&got).map(|(x, y)| (x - y).to_f64().abs());
+                    let ulps = off.fold(0.0, f64::max) / unit;
+                    if ulps > worst.ulps || worst.place.is_empty() {
+                        let dot = if name.is_empty() { "" } else { ", " };
+                        worst.ulps = ulps;
+                        worst.place = format!("{name}{dot}at the parameter {}", words::number(&t));
+                        worst.expected = expected;
+                        worst.found = got;
+                    }
                 }
             }
         }
@@ -147,55 +157,73 @@ impl Expected {
     }
 
     /// Dimension, degree and knots of a result; whether it is on another domain than asked for.
-    fn check_form(&self, curve: &BSpline, part: &(Rational, Rational)) -> Result<bool, Wrong> {
-        if curve.dimension() != self.source.dimension() {
+    fn check_form(
+        &self,
+        found: &FloatCurve,
+        components: &[BSpline],
+        part: &(Rational, Rational),
+        (first, last): (&Rational, &Rational),
+    ) -> Result<bool, Wrong> {
+        if found.dimension() != self.source.dimension() {
             return Err(Wrong::form(
-                format!("{} coordinates", curve.dimension()),
+                format!("{} coordinates", found.dimension()),
                 format!("{} coordinates", self.source.dimension()),
             ));
         }
         if let Some(degree) = self.degree
-            && curve.degree() != degree
+            && found.degree != degree
         {
             return Err(Wrong::form(
-                format!("degree {}", curve.degree()),
+                format!("degree {}", found.degree),
                 format!("degree {degree}"),
             ));
         }
-        if self.bezier && curve.count() != curve.degree() + 1 {
+        if self.bezier && found.points.len() != found.degree + 1 {
             return Err(Wrong::form(
                 format!(
                     "a piece of degree {} with {} control points",
-                    curve.degree(),
-                    curve.count()
+                    found.degree,
+                    found.points.len()
                 ),
                 "a Bézier curve",
             ));
         }
         let (start, end) = part;
-        let (first, last) = curve.domain();
-        let shrink = (end - start) / (&last - &first);
+        let shrink = (end - start) / (last - first);
         let near = Rational::new(Integer::ONE, Integer::ONE << SAME_KNOT_BITS) * (end - start);
-        let count = |t: &Rational| {
-            let at = |s: Rational| start + (s - &first) * &shrink;
-            curve
-                .knots()
-                .iter()
-                .filter(|s| distance(&at(s.clone()), t) <= near)
-                .count()
-        };
+        let knots = || components.iter().flat_map(|curve| curve.knots().iter());
+        // Components share the knot between them.
+        let most_at_once = |count: &dyn Fn(&BSpline) -> usize| components.iter().map(count).max().unwrap_or(0);
         match &self.multiplicity {
-            Some(Multiplicity::AtLeast(t, least)) if count(t) < *least => Err(Wrong::form(
-                format!("the knot {} {} times", words::number(t), count(t)),
-                format!("{least} times"),
-            )),
-            // A knot beside it, of multiplicity too, may be taken for the same one.
-            Some(Multiplicity::AtMost(t, most)) if curve.multiplicity(t) > *most => Err(Wrong::form(
-                format!("the knot {} {} times", words::number(t), curve.multiplicity(t)),
-                format!("at most {most} times"),
-            )),
-            _ => Ok(distance(&first, start) > near || distance(&last, end) > near),
+            Some(Multiplicity::AtLeast(t, least)) => {
+                let count = most_at_once(&|curve| {
+                    let at = |s: Rational| start + (s - first) * &shrink;
+                    curve
+                        .knots()
+                        .iter()
+                        .filter(|s| distance(&at(s.clone()), t) <= near)
+                        .count()
+                });
+                if count < *least {
+                    return Err(Wrong::form(
+                        format!("the knot {} {count} times", words::number(t)),
+                        format!("{least} times"),
+                    ));
+                }
+            }
+            // A knot beside it, of a multiplicity of its own, may be taken for the same one: only the knot itself is counted.
+            Some(Multiplicity::AtMost(t, most)) => {
+                let count = knots().filter(|s| s == t).count();
+                if count > *most {
+                    return Err(Wrong::form(
+                        format!("the knot {} {count} times", words::number(t)),
+                        format!("at most {most} times"),
+                    ));
+                }
+            }
+            None => {}
         }
+        Ok(distance(first, start) > near || distance(last, end) > near)
     }
 
     /// The non-empty spans of the source within a part.
@@ -207,6 +235,31 @@ impl Expected {
         ends.dedup();
         ends.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())).collect()
     }
+}
+
+/// The parts of a curve between interior knots of multiplicity degree + 1, at which it may be discontinuous: most curves are in one part.
+fn components(found: &FloatCurve) -> Result<Vec<BSpline>, FileError> {
+    let order = found.degree + 1;
+    let (knots, count) = (&found.knots, found.points.len());
+    let mut starts = vec![0];
+    if knots.len() == count + order && found.weights.as_ref().is_none_or(|weights| weights.len() == count) {
+        let breaks = (1..count).filter(|k| k + order < knots.len() && knots[*k] == knots[k + found.degree]);
+        starts.extend(breaks.filter(|k| knots[*k] > knots[0] && knots[*k] < knots[knots.len() - 1]));
+    }
+    let ends = starts[1..].iter().copied().chain([count]);
+    let part = |(start, end): (usize, usize)| {
+        let curve = FloatCurve {
+            degree: found.degree,
+            knots: knots.get(start..end + order).unwrap_or(knots).to_vec(),
+            points: found.points[start..end].to_vec(),
+            weights: found
+                .weights
+                .as_ref()
+                .map(|weights| weights.get(start..end).unwrap_or(weights).to_vec()),
+        };
+        curve.exact()
+    };
+    starts.iter().copied().zip(ends).map(part).collect()
 }
 
 fn distance(a: &Rational, b: &Rational) -> Rational {

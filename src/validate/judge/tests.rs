@@ -182,6 +182,27 @@ fn other_parametrisations_and_degrees() {
 }
 
 #[test]
+fn knots_of_multiplicity_degree_plus_one() {
+    // The parabola (0,0), (1,2), (2,0) with the knot ½ three times, the point there twice.
+    let parabola = || FloatCurve::bezier([[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]].map(|p| p.to_vec()).to_vec(), None);
+    let insert = || Operation::InsertKnot {
+        parameter: 0.5,
+        times: 2,
+    };
+    let points = [[0.0, 0.0], [0.5, 1.0], [1.0, 1.0], [1.0, 1.0], [1.5, 1.0], [2.0, 0.0]];
+    let mut inserted = FloatCurve {
+        degree: 2,
+        knots: vec![0.0, 0.0, 0.0, 0.5, 0.5, 0.5, 1.0, 1.0, 1.0],
+        points: points.map(|p| p.to_vec()).to_vec(),
+        weights: None,
+    };
+    assert_eq!(right(parabola(), insert(), Returned::Curve(inserted.clone())), 0.0);
+    inserted.points[3][1] = 1.25;
+    let told = wrong(parabola(), insert(), Returned::Curve(inserted), Kind::OtherValue);
+    assert!(told.contains("parameter 1/2"), "{told}");
+}
+
+#[test]
 fn parts() {
     let half = crate::number::Rational::new(1.into(), 2.into());
     let (a, b) = cubic().exact().unwrap().split(&half).unwrap();

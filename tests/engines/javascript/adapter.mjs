@@ -4,7 +4,7 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { Worker, isMainThread, parentPort, workerData } from "node:worker_threads";
 
-const SECONDS = 10;
+const SECONDS = 5;
 
 export class NotOffered extends Error {}
 

@@ -11,7 +11,7 @@ import signal
 import sys
 import warnings
 
-SECONDS = 10
+SECONDS = 5
 
 
 class NotOffered(Exception):

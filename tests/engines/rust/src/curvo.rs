@@ -29,6 +29,9 @@ macro_rules! adapter {
                         let all = made.rational_derivatives(t, case.order);
                         json!({ "vector": numbers(all[case.order].iter().copied()) })
                     }
+                    "curvature" => {
+                        json!({ "value": number(made.curvature_at(t).map_err(refused)?.kappa()) })
+                    }
                     "insert_knot" => {
                         for _ in 0..case.times {
                             made.try_add_knot(t).map_err(refused)?;

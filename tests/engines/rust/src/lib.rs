@@ -10,7 +10,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-const SECONDS: u64 = 10;
+const SECONDS: u64 = 5;
 
 #[derive(Clone, Deserialize, Serialize)]
 pub struct Curve {

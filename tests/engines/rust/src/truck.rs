@@ -12,7 +12,7 @@ macro_rules! adapter {
 
             type Nurbs = NurbsCurve<$homogeneous>;
 
-            fn curve(asked: &Curve) -> Result<Nurbs, Trouble> {
+            fn curve(asked: &Curve) -> std::result::Result<Nurbs, Trouble> {
                 let control = asked.homogeneous().iter().map(|p| <$homogeneous>::new($(p[$axis]),*)).collect();
                 let knots = KnotVec::try_from(asked.knots()).map_err(refused)?;
                 Ok(Nurbs::new(BSplineCurve::try_new(knots, control).map_err(refused)?))
