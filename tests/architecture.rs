@@ -8,7 +8,7 @@ const MAY_USE: [(&str, &[&str]); 13] = [
     ("number", &[]),
     ("polytope", &["number"]),
     ("curve", &["number"]),
-    ("claim", &["number"]),
+    ("claim", &["number", "curve"]),
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
     ("engine", &["number", "curve"]),

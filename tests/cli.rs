@@ -30,3 +30,5 @@ mod usage;
 #[cfg(feature = "prove")]
 #[path = "cli/validate.rs"]
 mod validate;
+#[path = "cli/values.rs"]
+mod values;

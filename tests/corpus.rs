@@ -117,6 +117,7 @@ fn every_rule_is_on_both_sides() {
         "separate",
         "monotone",
         "embedding",
+        "values",
     ] {
         for verdict in ["accept", "reject"] {
             assert!(!files(&certs().join(verdict).join(rule)).is_empty(), "{verdict}/{rule}");
@@ -139,6 +140,7 @@ mod proved {
     use knotproof::prove::embedding;
     use knotproof::prove::linear_program::GoodLp;
     use knotproof::prove::msd::{Certified, Options, certify};
+    use knotproof::prove::values;
 
     use super::chains;
     use super::common::case::certs;
@@ -201,6 +203,35 @@ mod proved {
                 let path = certs().join(format!("accept/proved/{name}-embedding.json"));
                 std::fs::write(path, file.into_inner()).expect("writes");
             }
+        }
+    }
+
+    /// Results of operations on some of the example curves, with the distance of a point.
+    fn write_values() {
+        for name in [
+            "parabola",
+            "nurbs-circle",
+            "mp06-figure-1",
+            "unclamped-periodic",
+            "planar-degree-4",
+            "nurbs-space",
+        ] {
+            let path = certs().join("curves").join(format!("{name}.json"));
+            let curve = read_curve(std::fs::read(path).expect(name)).expect(name).curve;
+            let options = values::Options {
+                operations: None,
+                samples: 1,
+                targets: vec![vec![Rational::from_integer(2.into()); curve.dimension()]],
+                others: Vec::new(),
+                relative_width: tenth_to_the(9),
+                name: Some(name.into()),
+                snapped_joints: None,
+            };
+            let found = values::certify(&curve, &options).expect(name);
+            let mut file = Cursor::new(Vec::new());
+            domain::write_checked(&found.document, Encoding::Json, &mut file).expect(name);
+            let path = certs().join(format!("accept/proved/{name}-values.json"));
+            std::fs::write(path, file.into_inner()).expect("writes");
         }
     }
 
@@ -309,6 +340,7 @@ mod proved {
         );
         write(&mut trace, Encoding::Binary, "trace-200");
         write_domains();
+        write_values();
     }
 }
 

@@ -7,6 +7,7 @@ pub mod embedding;
 pub mod msd;
 pub mod thickness;
 pub mod tree;
+pub mod values;
 
 /// What a certificate says and why, of one of the claims.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,6 +24,8 @@ pub enum Claim {
     Embedding(embedding::Content),
     /// The thickness.
     Thickness(thickness::Content),
+    /// Results of the basic operations.
+    Values(values::Content),
 }
 
 /// A borrowed [`Claim`].
@@ -40,6 +43,8 @@ pub enum ClaimRef<'a> {
     Embedding(&'a embedding::Content),
     /// The thickness.
     Thickness(&'a thickness::Content),
+    /// Results of the basic operations.
+    Values(&'a values::Content),
 }
 
 /// The content of a certificate, of one claim or of any.
@@ -57,6 +62,7 @@ impl AsClaim for Claim {
             Claim::Deviation(content) => ClaimRef::Deviation(content),
             Claim::Embedding(content) => ClaimRef::Embedding(content),
             Claim::Thickness(content) => ClaimRef::Thickness(content),
+            Claim::Values(content) => ClaimRef::Values(content),
         }
     }
 }
@@ -94,6 +100,12 @@ impl AsClaim for embedding::Content {
 impl AsClaim for thickness::Content {
     fn as_claim(&self) -> ClaimRef<'_> {
         ClaimRef::Thickness(self)
+    }
+}
+
+impl AsClaim for values::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Values(self)
     }
 }
 
@@ -142,6 +154,14 @@ impl Claim {
     pub fn thickness(&self) -> Option<&thickness::Content> {
         match self {
             Claim::Thickness(content) => Some(content),
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `values`, if it is that.
+    pub fn values(&self) -> Option<&values::Content> {
+        match self {
+            Claim::Values(content) => Some(content),
             _ => None,
         }
     }

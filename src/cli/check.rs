@@ -17,6 +17,7 @@ use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
 use super::output::{complain, say, say_json};
 use super::thickness_words::{self, ThicknessLine};
+use super::values_words::{self, ValuesLine};
 use super::{Exit, Printing};
 
 /// Check certificates: replay their evidence in exact arithmetic
@@ -112,6 +113,12 @@ enum StatementLine {
     Embedding {
         #[serde(flatten)]
         line: EmbeddingLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Values {
+        #[serde(flatten)]
+        line: ValuesLine,
         #[serde(skip)]
         words: String,
     },
@@ -217,6 +224,10 @@ fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
             line: EmbeddingLine::new(&content.statement),
             words: embedding_words::in_words(&content.statement),
         },
+        Claim::Values(content) => StatementLine::Values {
+            line: ValuesLine::new(&content.statement),
+            words: values_words::in_words(&content.statement),
+        },
     };
     Outcome::Accepted {
         verdict: "accepted",
@@ -275,6 +286,7 @@ impl Outcome {
                     ),
                     StatementLine::Domain { words, .. }
                     | StatementLine::Deviation { words, .. }
+                    | StatementLine::Values { words, .. }
                     | StatementLine::Curvature { words, .. } => {
                         format!("accepted: {input}: {words} (curve {curve}…)\n")
                     }

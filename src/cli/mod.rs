@@ -16,6 +16,7 @@ mod output;
 mod thickness_words;
 #[cfg(feature = "prove")]
 mod validate;
+mod values_words;
 
 use std::process::ExitCode;
 

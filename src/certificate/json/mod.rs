@@ -10,6 +10,7 @@ mod raw;
 mod read;
 mod thickness;
 mod tree;
+mod values;
 mod write;
 
 pub use read::{read, read_header};

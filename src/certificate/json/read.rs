@@ -8,7 +8,7 @@ use super::super::block::{self, hexadecimal};
 use super::super::{Document, FormatError};
 use super::numbers::{Parsed, numbers, points, shortened};
 use super::raw::{InBlock, Object, RawClaim, RawCurve, RawDocument, Text};
-use super::{curvature, deviation, domain, embedding, msd, thickness};
+use super::{curvature, deviation, domain, embedding, msd, thickness, values};
 use crate::claim::Claim;
 use crate::curve::{BSpline, Bezier, Curve, Form, MAXIMUM_PIECES};
 
@@ -52,6 +52,16 @@ fn curve(raw: RawCurve) -> Parsed<Curve> {
         }
         _ => Err(FormatError::malformed("curve", "expected either bspline or bezier")),
     }
+}
+
+/// Reads a curve whose own place is `place`.
+pub fn curve_at(raw: RawCurve, place: &str) -> Parsed<Curve> {
+    curve(raw).map_err(|error| match error {
+        FormatError::Malformed { place: within, what } => {
+            FormatError::malformed(format!("{place}{}", within.trim_start_matches("curve")), what)
+        }
+        other => other,
+    })
 }
 
 /// Everything of a document but the curve.
@@ -99,13 +109,17 @@ impl Header<'_> {
                 let (content, tokens) = thickness::read(self.statement, self.evidence, self.block, dimension)?;
                 (Claim::Thickness(content), tokens)
             }
+            "values" => {
+                let content = values::read(self.statement, self.evidence, dimension)?;
+                (Claim::Values(content), Vec::new())
+            }
             "embedding" => {
                 let (content, tokens) = embedding::read(self.statement, self.evidence, self.block)?;
                 (Claim::Embedding(content), tokens)
             }
             other => {
                 let what = format!(
-                    "found {:?}, expected \"msd\", \"domain\", \"embedding\", \"curvature\", \"thickness\" or \"deviation\"",
+                    "found {:?}, expected \"msd\", \"domain\", \"embedding\", \"curvature\", \"thickness\", \"deviation\" or \"values\"",
                     shortened(other)
                 );
                 return Err(FormatError::malformed("statement.claim", what));

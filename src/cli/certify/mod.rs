@@ -10,6 +10,7 @@ mod output_file;
 mod progress;
 mod report;
 mod thickness;
+mod values;
 
 use clap::{Args, Subcommand};
 
@@ -31,6 +32,7 @@ enum Claim {
     Deviation(deviation::Arguments),
     Embedding(Box<embedding::Arguments>),
     Thickness(thickness::Arguments),
+    Values(values::Arguments),
 }
 
 /// Runs the subcommand.
@@ -42,5 +44,6 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         Claim::Deviation(arguments) => deviation::run(&arguments),
         Claim::Embedding(arguments) => embedding::run(*arguments),
         Claim::Thickness(arguments) => thickness::run(&arguments),
+        Claim::Values(arguments) => values::run(&arguments),
     }
 }

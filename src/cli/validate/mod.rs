@@ -1,15 +1,18 @@
 //! `knotproof validate`: holds the results of an engine against exact ones.
 
 mod msd;
+pub mod proved;
 
+use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::fs;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use knotproof::engine::Case;
 use knotproof::engine::{FileError, read_cases, read_results};
-use knotproof::validate::{Outcome, Report, Tolerances, Verdict, annotations, junit, sarif, truth};
+use knotproof::validate::{Outcome, Report, Tolerances, Truth, Verdict, annotations, junit, sarif, truth};
 use serde::Serialize;
 
 use super::failure::Failure;
@@ -29,9 +32,12 @@ pub struct Arguments {
     /// The engine's answers, a file of version results/1; "-" is standard input.
     #[arg(value_name = "RESULTS")]
     results: Input,
-    /// The cases that were answered, a file of version cases/1.
-    #[arg(long, value_name = "CASES")]
-    cases: Input,
+    /// Certificates of the claims values and msd; they are checked first, and what they prove is what the results are held against.
+    #[arg(value_name = "CERT")]
+    certificates: Vec<Input>,
+    /// The cases that were answered, a file of version cases/1; their exact results are computed.
+    #[arg(long, value_name = "CASES", required_unless_present = "certificates")]
+    cases: Option<Input>,
     /// Tolerances of the operations in units in the last place, a file of version tolerances/1.
     #[arg(long, value_name = "FILE")]
     tolerances: Option<Input>,
@@ -89,17 +95,41 @@ struct FindingLine<'a> {
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let inputs = [
         Some(&arguments.results),
-        Some(&arguments.cases),
+        arguments.cases.as_ref(),
         arguments.tolerances.as_ref(),
     ];
-    standard_input_once(inputs.into_iter().flatten())?;
+    standard_input_once(inputs.into_iter().flatten().chain(&arguments.certificates))?;
     let results = read(&arguments.results, |text| read_results(text))?;
-    let cases = read(&arguments.cases, |text| read_cases(text))?;
+    let mut cases = match &arguments.cases {
+        None => Vec::new(),
+        Some(file) => read(file, |text| read_cases(text))?.cases,
+    };
     let tolerances = match &arguments.tolerances {
         None => Tolerances::default(),
         Some(file) => read(file, |text| Tolerances::read(text))?,
     };
-    let report = Report::new(&cases.cases, &results, &tolerances, |case| truth(case, &msd::bounds));
+    let mut proved: HashMap<String, Truth> = HashMap::new();
+    for certificate in &arguments.certificates {
+        let found = match proved::cases(certificate)? {
+            Ok(found) => found,
+            Err(rejection) => {
+                if !arguments.printing.quiet {
+                    say(&format!("rejected: {certificate}: {rejection}\n"))?;
+                }
+                return Ok(Exit::Refuted);
+            }
+        };
+        for certified in found {
+            if proved.insert(certified.case.id.clone(), certified.truth).is_none() {
+                cases.push(certified.case);
+            }
+        }
+    }
+    let exact = |case: &Case| match proved.get(&case.id) {
+        Some(truth) => truth.clone(),
+        None => truth(case, &msd::bounds),
+    };
+    let report = Report::new(&cases, &results, &tolerances, exact);
     let report = report.map_err(|unknown| {
         let what = format!(
             "results[{}].id: found {:?}, expected the id of a case",

@@ -28,6 +28,7 @@ pub mod text;
 pub mod thickness;
 pub mod touch;
 pub mod tree;
+pub mod values;
 
 use serde_json::{Value, json};
 
@@ -66,6 +67,7 @@ pub fn all() -> Vec<(&'static str, fn() -> Vec<Case>)> {
         ("curvature", curvature::cases),
         ("deviation", deviation::cases),
         ("thickness", thickness::cases),
+        ("values", values::cases),
     ]
 }
 

@@ -1,0 +1,130 @@
+//! Derivatives, curvature and torsion from the power series of X and w at a parameter.
+
+use super::super::rule::Failure;
+use super::pieces::Place;
+use crate::number::{Integer, Rational};
+
+/// For every column the coefficients of its power series at u up to `order`, all over one positive number.
+///
+/// With u = a/b: Σ c_j b^{n−j} v^j is b^n times the polynomial Σ c_j u^j at u = v/b; it is shifted to v = a by Horner's rule, and the
+/// coefficient of (v−a)^k is that of (u − a/b)^k over b^k.
+fn series(columns: &[Vec<Integer>], u: &Rational, order: usize) -> Vec<Vec<Integer>> {
+    let (a, b) = (u.numer(), u.denom());
+    let shifted = |column: &Vec<Integer>| {
+        let mut row = monomials(column);
+        let degree = row.len() - 1;
+        let mut power = Integer::ONE;
+        for j in (0..=degree).rev() {
+            row[j] = &row[j] * &power;
+            power = power * b;
+        }
+        let mut scale = Integer::ONE;
+        (0..=order)
+            .map(|k| {
+                if k > degree {
+                    return Integer::ZERO;
+                }
+                for j in (k..degree).rev() {
+                    row[j] = &row[j] + a * &row[j + 1];
+                }
+                let coefficient = &row[k] * &scale;
+                scale = &scale * b;
+                coefficient
+            })
+            .collect()
+    };
+    columns.iter().map(shifted).collect()
+}
+
+/// From Bernstein coefficients to those of the powers of u: c_j = C(n,j) Δʲx_0.
+fn monomials(column: &[Integer]) -> Vec<Integer> {
+    let degree = column.len() - 1;
+    let mut differences = column.to_vec();
+    let mut result = Vec::with_capacity(column.len());
+    for j in 0..=degree {
+        result.push(&differences[0] * Integer::binomial(degree as u32, j as u32));
+        differences = differences.windows(2).map(|pair| &pair[1] - &pair[0]).collect();
+    }
+    result
+}
+
+/// The derivative of an order with respect to the knot parameter: order! times a coefficient of the quotient of power series X/w.
+pub fn derivative(place: &Place, order: usize) -> Vec<Rational> {
+    let series = series(&place.piece.columns, &place.u, order);
+    let (weights, axes) = series.split_last().expect("a column of weights");
+    let mut factor = Rational::from_integer(Integer::ONE);
+    for k in 1..=order {
+        factor = factor * Rational::from_integer(Integer::from(k)) / &place.length;
+    }
+    axes.iter()
+        .map(|axis| {
+            let mut quotient: Vec<Rational> = Vec::with_capacity(order + 1);
+            for k in 0..=order {
+                let mut rest = Rational::from_integer(axis[k].clone());
+                for i in 1..=k {
+                    rest -= Rational::from_integer(weights[i].clone()) * &quotient[k - i];
+                }
+                quotient.push(rest / Rational::from_integer(weights[0].clone()));
+            }
+            quotient.swap_remove(order) * &factor
+        })
+        .collect()
+}
+
+type Vector = [Integer; 3];
+
+/// F = X'w − Xw', a positive multiple of c', and its first two derivatives; then w.
+fn field(place: &Place) -> ([Vector; 3], Integer) {
+    let series = series(&place.piece.columns, &place.u, 3);
+    let (w, axes) = series.split_last().expect("a column of weights");
+    let (two, six) = (Integer::from(2), Integer::from(6));
+    let mut field: [Vector; 3] = Default::default();
+    for (axis, x) in axes.iter().enumerate() {
+        field[0][axis] = &x[1] * &w[0] - &x[0] * &w[1];
+        field[1][axis] = &two * (&x[2] * &w[0] - &x[0] * &w[2]);
+        field[2][axis] = &six * (&x[3] * &w[0] - &x[0] * &w[3]) + &two * (&x[2] * &w[1] - &x[1] * &w[2]);
+    }
+    (field, w[0].clone())
+}
+
+fn dot(a: &Vector, b: &Vector) -> Integer {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+
+fn cross(a: &Vector, b: &Vector) -> Vector {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
+}
+
+/// κ² = w⁴|F×F'|²/|F|⁶.
+///
+/// # Errors
+/// A parameter where c' = 0.
+pub fn curvature_squared(place: &Place) -> Result<Rational, Failure> {
+    let ([first, second, _], w) = field(place);
+    let speed = dot(&first, &first);
+    if speed.is_zero() {
+        return Err(Failure {
+            expected: "a derivative that is not zero",
+            found: "zero".into(),
+        });
+    }
+    let turn = cross(&first, &second);
+    Ok(Rational::new(dot(&turn, &turn) * w.pow(4), speed.pow(3)))
+}
+
+/// τ = w² det(F, F', F'')/|F×F'|².
+///
+/// # Errors
+/// A parameter where c' × c'' = 0.
+pub fn torsion(place: &Place) -> Result<Rational, Failure> {
+    let ([first, second, third], w) = field(place);
+    let turn = cross(&first, &second);
+    let squared = dot(&turn, &turn);
+    if squared.is_zero() {
+        return Err(Failure {
+            expected: "first and second derivatives that are independent",
+            found: "dependent ones".into(),
+        });
+    }
+    Ok(Rational::new(dot(&turn, &third) * w.pow(2), squared))
+}
