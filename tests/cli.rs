@@ -30,5 +30,6 @@ mod usage;
 #[cfg(feature = "prove")]
 #[path = "cli/validate.rs"]
 mod validate;
+#[cfg(feature = "prove")]
 #[path = "cli/values.rs"]
 mod values;
