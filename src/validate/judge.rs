@@ -163,7 +163,7 @@ fn curve(off: Deviation, most: f64) -> Judged {
     Err(Wrong {
         kind: Kind::OtherValue,
         place: off.place,
-        found: words::point(&off.found),
+        found: words::floats(&off.found.iter().map(RationalExt::to_f64).collect::<Vec<_>>()),
         expected: words::point(&off.expected),
         ulps: off.ulps,
     })

@@ -119,7 +119,7 @@ fn of_curve(case: &Case, spline: BSpline, msd: &MsdOracle<'_>) -> Result<Truth, 
             Ok(Truth::of_distance(
                 &distance::between(&about.spline, &other, scale),
                 scale,
-                "c, other",
+                "the two curves",
             ))
         }
         Operation::Msd => Ok(Truth::of_msd(&msd(&Curve::from(about.spline))?, &case.curve)),
@@ -215,9 +215,10 @@ impl Truth {
     fn of_distance(found: &distance::Enclosure, scale: f64, curves: &str) -> Truth {
         let at: Vec<String> = found.parameters.iter().map(super::words::number).collect();
         let attained = format!(
-            "distance² {} at the parameters {} of {curves}",
+            "distance² {} at the {} {} of {curves}",
             super::words::number(&found.upper_squared),
-            at.join(", "),
+            if at.len() == 1 { "parameter" } else { "parameters" },
+            at.join(" and "),
         );
         Truth::Distance {
             bounds: Enclosed {

@@ -200,3 +200,81 @@ fn cases_are_made_from_a_seed() {
     run(["cases", "--ops", "dance"]).expect_error(&["dance"]);
     run(["cases", "--curves", "nowhere.json"]).expect_error(&["nowhere.json"]);
 }
+
+/// Makes a certificate and the cases of it.
+fn certificate_and_cases(folder: &Path, certify: &[&str]) -> (String, Vec<Value>) {
+    let certificate = text(&folder.join("made.cert.json")).to_string();
+    run([&["certify"], certify, &["-o", &certificate]].concat()).expect(0);
+    let cases = run(["cases", "--certificates", &certificate]).expect(0).out;
+    let mut document: Value = serde_json::from_str(&cases).expect("JSON");
+    let Value::Array(cases) = document["cases"].take() else {
+        panic!("{document}");
+    };
+    (certificate, cases)
+}
+
+fn write_results(folder: &Path, results: Vec<Value>) -> String {
+    let document = json!({ "knotproof": "results/1", "engine": "mine 1.0", "results": results });
+    let path = folder.join("answers.json");
+    fs::write(&path, document.to_string()).expect("written");
+    text(&path).to_string()
+}
+
+#[test]
+fn results_against_a_certificate_of_values() {
+    let folder = TempDir::new().expect("a folder");
+    let command = ["values", "certs/curves/parabola.json", "--ops", "point,derivative"];
+    let (certificate, cases) = certificate_and_cases(folder.path(), &command);
+    // y = x² with x = 2t − 1.
+    let answers = |error: f64| -> Vec<Value> {
+        let answer = |case: &Value| {
+            let x = 2.0 * case["parameter"].as_f64().expect("a number") - 1.0;
+            let (field, value) = match (case["operation"].as_str(), case["order"].as_u64()) {
+                (Some("point"), _) => ("point", [x, x * x + error]),
+                (_, Some(1)) => ("vector", [2.0, 4.0 * x]),
+                (_, Some(2)) => ("vector", [0.0, 8.0]),
+                _ => ("vector", [0.0, 0.0]),
+            };
+            json!({ "id": case["id"], "status": "ok", field: value })
+        };
+        cases.iter().map(answer).collect()
+    };
+    let right = write_results(folder.path(), answers(0.0));
+    let told = run(["validate", &right, &certificate]).expect(0).out;
+    assert!(told.contains("point") && told.contains("derivative"), "{told}");
+    let wrong = write_results(folder.path(), answers(0.01));
+    run(["validate", &wrong, &certificate]).expect(1);
+    // Not every entry answered; and an id that no entry has.
+    let some = write_results(folder.path(), answers(0.0)[1..].to_vec());
+    let told = run(["validate", &some, &certificate]).expect(1).out;
+    assert!(told.contains("no answer"), "{told}");
+    let mut strange = answers(0.0);
+    strange[0]["id"] = json!("000000000000/0");
+    let strange = write_results(folder.path(), strange);
+    run(["validate", &strange, &certificate]).expect_error(&["results[0].id", "000000000000/0"]);
+}
+
+#[test]
+fn results_against_a_certificate_of_msd() {
+    let folder = TempDir::new().expect("a folder");
+    let command = ["msd", "certs/curves/mp06-figure-1.json"];
+    let (certificate, cases) = certificate_and_cases(folder.path(), &command);
+    assert_eq!(cases.len(), 1);
+    let answer = |distance: Value| {
+        let result = json!({ "id": cases[0]["id"], "status": "ok", "distance": distance });
+        write_results(folder.path(), vec![result])
+    };
+    let digits = json!(0.442_675_170_376_6);
+    run(["validate", &answer(digits.clone()), &certificate]).expect(0);
+    run(["validate", &answer(json!(0.45)), &certificate]).expect(1);
+    run(["validate", &answer(Value::Null), &certificate]).expect(1);
+    // A certificate that proves nothing is no measure.
+    let mut document: Value = serde_json::from_str(&fs::read_to_string(&certificate).expect("a file")).expect("JSON");
+    document["statement"]["lower_squared"] = json!("1/5");
+    let forged = folder.path().join("forged.cert.json");
+    fs::write(&forged, document.to_string()).expect("written");
+    let told = run(["validate", &answer(digits), text(&forged)]).expect(1).out;
+    assert!(told.starts_with("rejected: "), "{told}");
+    let told = run(["cases", "--certificates", text(&forged)]);
+    assert_eq!((told.code, told.out.as_str()), (1, ""), "{told:?}");
+}

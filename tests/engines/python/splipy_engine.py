@@ -17,6 +17,12 @@ def returned(made):
     return adapter.curve(made.order(0) - 1, made.knots(0, with_multiplicities=True), control, weights)
 
 
+def above(asked, case):
+    """At the ends of the domain there is one side only."""
+    start, end = adapter.domain(asked)
+    return case["parameter"] == start or case["side"] == "right" and case["parameter"] != end
+
+
 class Engine:
     def curve(self, asked):
         basis = BSplineBasis(asked["degree"] + 1, np.array(asked["knots"], float))
@@ -32,14 +38,14 @@ class Engine:
         return {"point": adapter.numbers(self.curve(asked)(case["parameter"]))}
 
     def derivative(self, asked, case):
-        above = case["side"] == "right"
-        return {"vector": adapter.numbers(self.curve(asked).derivative(case["parameter"], case["order"], above))}
+        found = self.curve(asked).derivative(case["parameter"], case["order"], above(asked, case))
+        return {"vector": adapter.numbers(found)}
 
     def curvature(self, asked, case):
-        return {"value": adapter.number(self.curve(asked).curvature(case["parameter"], case["side"] == "right"))}
+        return {"value": adapter.number(self.curve(asked).curvature(case["parameter"], above(asked, case)))}
 
     def torsion(self, asked, case):
-        return {"value": adapter.number(self.curve(asked).torsion(case["parameter"], case["side"] == "right"))}
+        return {"value": adapter.number(self.curve(asked).torsion(case["parameter"], above(asked, case)))}
 
     def insert_knot(self, asked, case):
         return {"curve": returned(self.curve(asked).insert_knot([case["parameter"]] * case["times"]))}

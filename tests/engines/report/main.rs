@@ -38,7 +38,7 @@ struct Arguments {
     #[arg(long, default_value = "tests/engines")]
     adapters: PathBuf,
     /// The most rounds of shrinking.
-    #[arg(long, default_value_t = 40)]
+    #[arg(long, default_value_t = 80)]
     rounds: usize,
     /// The page to write.
     #[arg(long)]
@@ -55,14 +55,15 @@ pub struct Fault {
     pub wrong: Wrong,
 }
 
-/// Operation, way of being wrong, whether the curve is rational.
-pub type Group = (&'static str, Kind, bool);
+/// Operation, way of being wrong, whether the curve is rational, whether its knots are unclamped.
+pub type Group = (&'static str, Kind, bool, bool);
 
 /// One engine's report, and its faults.
 pub struct Found {
+    /// The judgements of all cases.
     pub report: Report,
+    /// The smallest case of each group.
     pub faults: BTreeMap<Group, Fault>,
-    pub command: String,
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -93,15 +94,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     eprintln!("{} cases; their exact results …", cases.len());
     let truths: Vec<Truth> = cases.par_iter().map(truth).collect();
     let tolerances = Tolerances::default();
+    let places: BTreeMap<&str, usize> = cases
+        .iter()
+        .enumerate()
+        .map(|(i, case)| (case.id.as_str(), i))
+        .collect();
     let mut found = Vec::new();
     for command in &arguments.engines {
         let engine = run::Adapter::new(command, &arguments.adapters);
         let results = engine.answers(&cases)?;
-        let places: BTreeMap<&str, usize> = cases
-            .iter()
-            .enumerate()
-            .map(|(i, case)| (case.id.as_str(), i))
-            .collect();
         let report = Report::new(&cases, &results, &tolerances, |case| {
             truths[places[case.id.as_str()]].clone()
         })
@@ -129,11 +130,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
         }
         shrink::shrink(&engine, &mut faults, &tolerances, arguments.rounds)?;
-        found.push(Found {
-            report,
-            faults,
-            command: command.clone(),
-        });
+        found.push(Found { report, faults });
     }
     let page = page::page(&found, &cases, arguments.seed);
     std::fs::write(&arguments.output, page)?;
@@ -147,5 +144,10 @@ pub fn truth(case: &Case) -> Truth {
 
 /// The group of a wrong answer.
 pub fn group(case: &Case, wrong: &Wrong) -> Group {
-    (case.operation.name(), wrong.kind, case.curve.weights.is_some())
+    (
+        case.operation.name(),
+        wrong.kind,
+        case.curve.weights.is_some(),
+        !case.curve.is_clamped(),
+    )
 }

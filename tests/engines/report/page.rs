@@ -23,7 +23,7 @@ pub fn page(found: &[Found], cases: &[Case], seed: u64) -> String {
     for engine in found {
         let total = engine.report.total();
         let mut wrong: BTreeMap<&str, usize> = BTreeMap::new();
-        for ((operation, _, _), fault) in &engine.faults {
+        for ((operation, ..), fault) in &engine.faults {
             *wrong.entry(operation).or_default() += fault.count;
         }
         let wrong: Vec<String> = wrong.iter().map(|(name, count)| format!("{name} {count}")).collect();
@@ -90,15 +90,21 @@ fn section(page: &mut String, engine: &Found) {
         );
     }
     let mut faults: Vec<_> = engine.faults.iter().collect();
-    faults.sort_by_key(|((operation, kind, rational), _)| {
-        (OPERATIONS.iter().position(|name| name == operation), *kind, *rational)
+    faults.sort_by_key(|((operation, kind, rational, unclamped), _)| {
+        (
+            OPERATIONS.iter().position(|name| name == operation),
+            *kind,
+            *rational,
+            *unclamped,
+        )
     });
-    for ((operation, kind, rational), fault) in faults {
+    for ((operation, kind, rational, unclamped), fault) in faults {
         let form = if *rational { "rational" } else { "polynomial" };
+        let knots = if *unclamped { ", unclamped knots" } else { "" };
         let plural = if fault.count == 1 { "case" } else { "cases" };
         let _ = writeln!(
             page,
-            "\n**{operation}, {form}: {}** ({} {plural}). Smallest found:\n",
+            "\n**{operation}, {form}{knots}: {}** ({} {plural}). Smallest found:\n",
             kind.name(),
             fault.count
         );

@@ -318,6 +318,9 @@ fn lists(numbers: &[f64]) -> Vec<Vec<f64>> {
         numbers.iter().map(|x| (x / 2.0).trunc()).collect(),
         numbers.iter().map(|x| x.signum() * x.abs().sqrt().round()).collect(),
         numbers.iter().map(|x| x - numbers[0].trunc()).collect(),
+        numbers.iter().map(|x| x - numbers[numbers.len() - 1].trunc()).collect(),
+        numbers.iter().map(|x| x.clamp(-1.0, 1.0)).collect(),
+        numbers.iter().map(|x| x.clamp(-3.0, 3.0)).collect(),
         numbers.iter().map(|x| (x * 16.0).round() / 16.0).collect(),
     ];
     for (i, x) in numbers.iter().enumerate() {

@@ -40,7 +40,9 @@ macro_rules! adapter {
                     }
                     "remove_knot" => {
                         for _ in 0..case.times {
-                            made.try_remove_knot(t, None).map_err(refused)?;
+                            if made.try_remove_knot(t, None).map_err(refused)? == 0 {
+                                return Err(refused("try_remove_knot removed no knot"));
+                            }
                         }
                         json!({ "curve": returned(&made) })
                     }
