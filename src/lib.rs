@@ -44,9 +44,13 @@
 //! # #[cfg(not(feature = "prove"))]
 //! # fn main() {}
 //! ```
+#[cfg(feature = "prove")]
+pub mod approximation;
 pub mod certificate;
 pub mod check;
 pub mod claim;
+#[cfg(feature = "prove")]
+pub mod compare;
 pub mod curve;
 #[cfg(feature = "prove")]
 pub mod engine;
@@ -55,5 +59,7 @@ pub mod number;
 pub mod polytope;
 #[cfg(feature = "prove")]
 pub mod prove;
+#[cfg(feature = "prove")]
+pub mod show;
 #[cfg(feature = "prove")]
 pub mod validate;

@@ -4,10 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Modules under `src` with those each may use. What is not listed may use nothing that is.
-const MAY_USE: [(&str, &[&str]); 13] = [
+const MAY_USE: [(&str, &[&str]); 14] = [
     ("number", &[]),
     ("polytope", &["number"]),
     ("curve", &["number"]),
+    ("approximation", &["number", "curve"]),
     ("claim", &["number", "curve"]),
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
@@ -15,7 +16,29 @@ const MAY_USE: [(&str, &[&str]); 13] = [
     ("float", &["number", "curve", "engine"]),
     (
         "prove",
-        &["number", "polytope", "curve", "claim", "certificate", "check", "float"],
+        &[
+            "number",
+            "polytope",
+            "curve",
+            "approximation",
+            "claim",
+            "certificate",
+            "check",
+            "float",
+        ],
+    ),
+    (
+        "compare",
+        &[
+            "number",
+            "curve",
+            "approximation",
+            "claim",
+            "certificate",
+            "check",
+            "float",
+            "prove",
+        ],
     ),
     (
         "validate",
@@ -27,12 +50,14 @@ const MAY_USE: [(&str, &[&str]); 13] = [
         &[
             "number",
             "curve",
+            "approximation",
             "claim",
             "certificate",
             "check",
             "engine",
             "float",
             "prove",
+            "compare",
             "validate",
             "show",
         ],

@@ -1,11 +1,15 @@
 //! The command line: its arguments, one file for each subcommand, exit codes.
 
+#[cfg(feature = "prove")]
+mod atomic_file;
 mod bounds;
 #[cfg(feature = "prove")]
 mod cases;
 #[cfg(feature = "prove")]
 mod certify;
 mod check;
+#[cfg(feature = "prove")]
+mod compare;
 mod curvature_words;
 mod deviation_words;
 mod domain_words;
@@ -13,6 +17,8 @@ mod embedding_words;
 mod failure;
 mod input;
 mod output;
+#[cfg(feature = "prove")]
+mod show;
 mod thickness_words;
 #[cfg(feature = "prove")]
 mod validate;
@@ -47,6 +53,10 @@ enum Command {
     Validate(validate::Arguments),
     #[cfg(feature = "prove")]
     Cases(cases::Arguments),
+    #[cfg(feature = "prove")]
+    Show(show::Arguments),
+    #[cfg(feature = "prove")]
+    Compare(compare::Arguments),
 }
 
 /// What every subcommand prints.
@@ -96,6 +106,10 @@ pub fn run() -> ExitCode {
         Command::Validate(arguments) => validate::run(&arguments),
         #[cfg(feature = "prove")]
         Command::Cases(arguments) => cases::run(&arguments),
+    #[cfg(feature = "prove")]
+        Command::Show(arguments) => show::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Compare(arguments) => compare::run(&arguments),
     };
     outcome
         .unwrap_or_else(|failure| {
