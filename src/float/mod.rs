@@ -1,0 +1,43 @@
+//! Curves in binary64: a fast engine whose results are accurate, but not proved.
+//!
+//! [`Curve`] holds binary64 numbers and takes them as exact. What a formula computes from them without search ([`Curve::derivative`],
+//! [`Curve::insert_knot`], [`Curve::elevate_degree`] …) is computed in double-double arithmetic and rounded once; points of low degree are computed in
+//! binary64 where that is safe. `docs/float.md` states method and measured error of every operation. What cannot be computed accurately is refused with a
+//! [`FloatError`].
+//!
+//! ```
+//! use knotproof::curve::Side;
+//! use knotproof::float::Curve;
+//!
+//! // A cubic with an interior knot, whose two spans are elevated as one curve.
+//! let curve = Curve::new(2, 3, vec![0.0, 0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0, 1.0],
+//!     vec![0.0, 0.0, 1.0, 2.0, 2.0, -1.0, 3.0, 3.0, 4.0, 0.0], None)?;
+//! assert_eq!(curve.point(0.25)?, [1.1875, 1.03125, 0.0]);
+//! let elevated = curve.elevate_degree(1)?;
+//! assert_eq!(elevated.point(0.25)?, [1.1875, 1.03125, 0.0]);
+//! assert_eq!(curve.derivative(0.25, Side::After, 3)?, elevated.derivative(0.25, Side::After, 3)?);
+//! # Ok::<(), knotproof::float::FloatError>(())
+//! ```
+
+mod curvature;
+mod curve;
+mod decompose;
+mod derivative;
+mod double;
+mod elevate;
+mod error;
+mod insert;
+mod point;
+mod remove;
+mod span;
+mod split;
+
+#[cfg(test)]
+mod generate;
+#[cfg(test)]
+mod tests;
+
+pub use curve::Curve;
+pub use derivative::MAXIMUM_ORDER;
+pub use error::FloatError;
+pub use point::Evaluator;
