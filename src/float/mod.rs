@@ -19,25 +19,46 @@
 //! # Ok::<(), knotproof::float::FloatError>(())
 //! ```
 
+mod bound;
+mod cassidy;
+mod convex_domain;
 mod curvature;
 mod curve;
 mod decompose;
 mod derivative;
+mod distance;
 mod double;
+mod double_normal;
 mod elevate;
 mod error;
 mod insert;
+mod moore_peters;
+mod nearest;
+mod perturbation;
+mod piece;
 mod point;
 mod remove;
+mod separation;
 mod span;
 mod split;
+mod starts;
+mod tree;
 
 #[cfg(test)]
 mod generate;
 #[cfg(test)]
+mod search_tests;
+#[cfg(test)]
 mod tests;
 
+pub use cassidy::Estimate;
 pub use curve::Curve;
 pub use derivative::MAXIMUM_ORDER;
+pub use distance::Connection;
 pub use error::FloatError;
+pub use moore_peters::{Comparison, DoublyNormalTest, Found};
+pub use nearest::Nearest;
+pub use perturbation::{Drift, MovingPolygon};
 pub use point::Evaluator;
+pub use separation::Separation;
+pub use starts::{DoubleNormals, Starts};
