@@ -3,8 +3,8 @@
 //!
 //! Samples that are Delaunay neighbours without being neighbours on the curve face each other across its medial axis: the dual of such an edge is a part of
 //! the Voronoi diagram, which tends to the medial axis as samples get denser (Amenta and Bern 1998). That gives about one start for each stretch of two
-//! strands that face each other, in place of a start for each pair of samples. A double normal with another strand between its ends has no such edge
-//! and is not looked for; the shortest one was never among those missed (`docs/float.md`).
+//! strands that face each other, in place of a start for each pair of samples. A double normal with another strand between its ends has no such edge and is
+//! missed, now and then even the shortest one (`docs/float.md` has counts): these are good first guesses, not a search.
 
 use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
 
