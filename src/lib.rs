@@ -54,6 +54,8 @@ pub mod compare;
 pub mod curve;
 #[cfg(feature = "prove")]
 pub mod engine;
+#[cfg(feature = "prove")]
+pub mod float;
 pub mod number;
 #[cfg(feature = "prove")]
 pub mod polytope;

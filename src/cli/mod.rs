@@ -106,7 +106,7 @@ pub fn run() -> ExitCode {
         Command::Validate(arguments) => validate::run(&arguments),
         #[cfg(feature = "prove")]
         Command::Cases(arguments) => cases::run(&arguments),
-    #[cfg(feature = "prove")]
+        #[cfg(feature = "prove")]
         Command::Show(arguments) => show::run(&arguments),
         #[cfg(feature = "prove")]
         Command::Compare(arguments) => compare::run(&arguments),

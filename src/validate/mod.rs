@@ -4,6 +4,7 @@
 //! place it is off; a [`Report`] has the judgements of all answers of one engine. Curves are compared as curves modulo affine reparametrisation; either
 //! one-sided value counts at a knot. The rules and units are described in `docs/validate.md`.
 
+mod built_in;
 mod certified;
 mod condition;
 mod distance;
@@ -18,6 +19,7 @@ mod truth;
 mod verdict;
 mod words;
 
+pub use built_in::KnotproofF64;
 pub use certified::{Certified, certified};
 pub use github::annotations;
 pub use judge::judge;

@@ -10,9 +10,10 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use knotproof::engine::Case;
-use knotproof::engine::{FileError, read_cases, read_results};
-use knotproof::validate::{Outcome, Report, Tolerances, Truth, Verdict, annotations, junit, sarif, truth};
+use knotproof::engine::{Case, Engine, FileError, ResultEntry, ResultsFile, read_cases, read_results};
+use knotproof::validate::{
+    KnotproofF64, Outcome, Report, Tolerances, Truth, Verdict, annotations, junit, sarif, truth,
+};
 use serde::Serialize;
 
 use super::failure::Failure;
@@ -29,14 +30,15 @@ const SHOWN: usize = 20;
 /// The exit code is 0 when at least one answer is right and none wrong or missing, 1 when one is, 2 for files that cannot be used, 3 when there was nothing to judge.
 #[derive(Args)]
 pub struct Arguments {
-    /// The engine's answers, a file of version results/1; "-" is standard input.
-    #[arg(value_name = "RESULTS")]
-    results: Input,
-    /// Certificates of the claims values and msd; they are checked first, and what they prove is what the results are held against.
-    #[arg(value_name = "CERT")]
-    certificates: Vec<Input>,
+    /// The engine's answers, a file of version results/1 ("-" is standard input), then certificates of the claims values and msd, which are checked first and
+    /// then held against the results. With --engine certificates alone.
+    #[arg(value_name = "RESULTS] [CERT", required_unless_present = "engine")]
+    files: Vec<Input>,
+    /// Judge an engine of this program, which needs no file of results.
+    #[arg(long, value_name = "ENGINE", value_parser = [KnotproofF64::NAME])]
+    engine: Option<String>,
     /// The cases that were answered, a file of version cases/1; their exact results are computed.
-    #[arg(long, value_name = "CASES", required_unless_present = "certificates")]
+    #[arg(long, value_name = "CASES")]
     cases: Option<Input>,
     /// Tolerances of the operations in units in the last place, a file of version tolerances/1.
     #[arg(long, value_name = "FILE")]
@@ -93,23 +95,24 @@ struct FindingLine<'a> {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let inputs = [
-        Some(&arguments.results),
-        arguments.cases.as_ref(),
-        arguments.tolerances.as_ref(),
-    ];
-    standard_input_once(inputs.into_iter().flatten().chain(&arguments.certificates))?;
-    let results = read(&arguments.results, |text| read_results(text))?;
-    let mut cases = match &arguments.cases {
-        None => Vec::new(),
-        Some(file) => read(file, |text| read_cases(text))?.cases,
+    let named = [arguments.cases.as_ref(), arguments.tolerances.as_ref()];
+    standard_input_once(named.into_iter().flatten().chain(&arguments.files))?;
+    let (results, certificates) = match (&arguments.engine, arguments.files.as_slice()) {
+        (None, [results, certificates @ ..]) => (Some(results), certificates),
+        (_, certificates) => (None, certificates),
     };
+    if certificates.is_empty() && arguments.cases.is_none() {
+        return Err(Failure::new(
+            "nothing to judge by: name certificates of the claims values and msd, or --cases CASES",
+        ));
+    }
+    let read_answers = results.map(|file| read(file, |text| read_results(text))).transpose()?;
     let tolerances = match &arguments.tolerances {
         None => Tolerances::default(),
         Some(file) => read(file, |text| Tolerances::read(text))?,
     };
     let mut proved: HashMap<String, Truth> = HashMap::new();
-    for certificate in &arguments.certificates {
+    for certificate in certificates {
         let found = match proved::cases(certificate)? {
             Ok(found) => found,
             Err(rejection) => {
@@ -125,19 +128,23 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             }
         }
     }
+    // Certificates of other claims have nothing to ask.
+    let answers = match read_answers {
+        Some(answers) => answers,
+        None => of_engine(&KnotproofF64, &cases),
+    };
     let exact = |case: &Case| match proved.get(&case.id) {
         Some(truth) => truth.clone(),
         None => truth(case, &msd::bounds),
     };
-    let report = Report::new(&cases, &results, &tolerances, exact);
-    let report = report.map_err(|unknown| {
+    let name = results.map_or_else(|| answers.engine.clone(), Input::to_string);
+    let report = Report::new(&cases, &answers, &tolerances, exact).map_err(|unknown| {
         let what = format!(
             "results[{}].id: found {:?}, expected the id of a case",
             unknown.index, unknown.id
         );
-        Failure::at(&arguments.results, what)
+        Failure::at(&name, what)
     })?;
-    let name = arguments.results.to_string();
     if let Some(path) = &arguments.junit {
         let text = junit(&report).map_err(|error| Failure::at(path.display(), error))?;
         write(path, &text)?;
@@ -157,6 +164,18 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Outcome::Failed => Exit::Refuted,
         Outcome::NothingJudged => Exit::Undecided,
     })
+}
+
+/// The answers of an engine of this program.
+fn of_engine(engine: &dyn Engine, cases: &[Case]) -> ResultsFile {
+    let results = cases.iter().map(|case| ResultEntry {
+        id: case.id.clone(),
+        answer: engine.answer(case),
+    });
+    ResultsFile {
+        engine: engine.name(),
+        results: results.collect(),
+    }
 }
 
 fn read<T>(input: &Input, parse: impl Fn(&[u8]) -> Result<T, FileError>) -> Result<T, Failure> {

@@ -201,6 +201,9 @@ fn parameter(random: &mut Random, curve: &FloatCurve, inside: bool) -> f64 {
     let knot = domain[random.below(domain.len())];
     let at = match random.weighted(&[25, 10, 10, 15, 40]) {
         0 => knot,
+        // Beside 0 by a unit of the domain's length: the numbers next to 0 itself are too small for any curve.
+        1 if knot == 0.0 => (end - start) * f64::EPSILON,
+        2 if knot == 0.0 => (start - end) * f64::EPSILON,
         1 => knot.next_up(),
         2 => knot.next_down(),
         3 => start + (end - start) * random.whole(1, 7) as f64 / 8.0,
