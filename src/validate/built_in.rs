@@ -101,7 +101,7 @@ fn answer(case: &Case) -> Result<Option<Returned>, FloatError> {
             let found = made.distance_to(&curve(other)?)?;
             Returned::Distance {
                 distance: Some(found.distance),
-                parameters: vec![found.parameters.0, found.parameters.1],
+                parameters: vec![found.parameter, found.other_parameter],
             }
         }
         Operation::Msd => {

@@ -278,3 +278,27 @@ fn results_against_a_certificate_of_msd() {
     let told = run(["cases", "--certificates", text(&forged)]);
     assert_eq!((told.code, told.out.as_str()), (1, ""), "{told:?}");
 }
+
+#[test]
+fn the_engine_of_this_program() {
+    let folder = folder(&right());
+    let cases = text(&folder.path().join("cases.json")).to_string();
+    let told = run(["validate", "--engine", "knotproof-f64", "--cases", &cases])
+        .expect(0)
+        .out;
+    assert!(told.starts_with("passed: knotproof-f64 "), "{told}");
+    let command = ["values", "certs/curves/nurbs-circle.json", "--target", "2,0"];
+    let (certificate, asked) = certificate_and_cases(folder.path(), &command);
+    let json = run(["validate", "--engine", "knotproof-f64", &certificate, "--json"])
+        .expect(0)
+        .json();
+    let cases: u64 = json["operations"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|o| o["cases"].as_u64().expect("a number"))
+        .sum();
+    assert_eq!(cases, asked.len() as u64);
+    run(["validate", "--engine", "knotproof-f65", &certificate]).expect_error(&["knotproof-f65"]);
+    run(["validate", "--engine", "knotproof-f64"]).expect_error(&["--cases"]);
+}
