@@ -44,7 +44,7 @@ fn written(document: &Document<Content>) {
     }
 }
 
-fn bounds(document: &Document<Content>) -> [&Rational; 2] {
+fn bounds<'d>(document: &'d Document<Content>) -> [&'d Rational; 2] {
     let entry = document.claim.statement.entries.last().expect("an entry");
     let Outcome::DistanceSquared { lower, upper } = &entry.outcome else {
         panic!("a distance");
@@ -122,7 +122,7 @@ fn known_distances_of_curves() {
 
 #[test]
 fn what_is_not_offered() {
-    let (square, parabola) = (curve("square"), curve("parabola"));
+    let (eight, parabola) = (curve("figure-eight"), curve("parabola"));
     let asking = |curve: &Curve, kind| {
         let options = Options {
             operations: Some(vec![kind]),
@@ -137,7 +137,7 @@ fn what_is_not_offered() {
         Kind::Torsion,
         Kind::NearestPoint,
     ] {
-        let error = asking(&square, kind);
+        let error = asking(&eight, kind);
         assert!(matches!(error, Some(ValuesError::NotOffered { kind: found, .. }) if found == kind));
     }
     assert_eq!(asking(&parabola, Kind::Split), None);

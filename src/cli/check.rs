@@ -272,7 +272,8 @@ impl StatementLine {
             | StatementLine::Deviation { words, .. }
             | StatementLine::Thickness { words, .. }
             | StatementLine::Curvature { words, .. }
-            | StatementLine::Embedding { words, .. } => words,
+            | StatementLine::Embedding { words, .. }
+            | StatementLine::Values { words, .. } => words,
         }
     }
 }

@@ -113,12 +113,9 @@ mod tests {
     fn unclamped() {
         let knots = vector(&[0, 1, 2, 3, 5, 6, 8, 9]);
         let spline = BSpline::new(2, 2, knots, vector(&[0, 0, 2, 1, 3, 5, 4, 4, 9, 1]), None).expect("a spline");
-        for t in [2, 4, 7] {
+        for t in [2, 4] {
             let t = Rational::new(Integer::from(t), Integer::ONE) + Rational::new(Integer::ONE, Integer::from(2));
-            let inserted = match spline.insert_knot(&t, 2) {
-                Ok(inserted) => inserted,
-                Err(_) => continue,
-            };
+            let inserted = spline.insert_knot(&t, 2).expect("inserts");
             assert_eq!(inserted.remove_knot(&t, 2).expect("removes"), spline);
         }
     }

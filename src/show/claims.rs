@@ -41,8 +41,7 @@ impl Scene {
             Claim::Thickness(content) => scene.pipe(&document.curve, content, tokens),
             Claim::Deviation(content) => scene.deviation(content),
             Claim::Domain(content) => scene.domain(content),
-            // Its results are numbers and further curves: the curve itself is the picture.
-            Claim::Values(_) => {}
+            Claim::Values(content) => scene.values(&document.curve, content),
         }
         scene
     }

@@ -199,3 +199,65 @@ pub fn check_tree(curve: &Pieces, other: &Pieces, tokens: &[Token], lower_square
         ),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::{Bezier, Curve, Form};
+    use crate::number::RationalVector;
+
+    fn fraction(numerator: i64, denominator: i64) -> Rational {
+        Rational::new(Integer::from(numerator), Integer::from(denominator))
+    }
+
+    fn polygon(points: &[[i64; 2]]) -> Pieces {
+        let piece = |pair: &[[i64; 2]]| {
+            let numbers: Vec<Rational> = pair.iter().flatten().map(|x| fraction(*x, 1)).collect();
+            Bezier::new(2, RationalVector::from_rationals(&numbers), None).expect("a piece")
+        };
+        let pieces = points.windows(2).map(piece).collect();
+        Pieces::new(&Curve::new(2, Form::Bezier(pieces)).expect("a curve")).expect("no points")
+    }
+
+    #[test]
+    fn boxes_and_hulls() {
+        let pieces = polygon(&[[0, 0], [4, 1], [2, 7], [-1, 3]]);
+        let mut nodes = Nodes::new(&pieces);
+        let whole = nodes.whole();
+        let n = [1, -1].map(Integer::from);
+        // The box reaches from (−1, 0) to (4, 7).
+        assert_eq!(whole.least(&n), (Integer::from(-8), Integer::ONE));
+        let [first, rest] = nodes.halves(&whole).expect("halves");
+        assert_eq!(first.least(&n), (Integer::ZERO, Integer::ONE));
+        // That of the second and third piece from (−1, 1).
+        assert_eq!(rest.least(&[0, 1].map(Integer::from)), (Integer::ONE, Integer::ONE));
+        let Some([_, half]) = nodes.halves(&first) else {
+            panic!("a part has halves");
+        };
+        let (x, w) = half.least(&[1, 0].map(Integer::from));
+        assert_eq!(Rational::new(x, w), fraction(2, 1));
+    }
+
+    #[test]
+    fn far_to_the_last_digit() {
+        let (a, b) = (polygon(&[[0, 0], [1, 0]]), polygon(&[[0, -3], [1, -5]]));
+        let (a, b) = (Nodes::new(&a).whole(), Nodes::new(&b).whole());
+        let n = |x, y| [Integer::from(x), Integer::from(y)];
+        assert!(is_far(&a, &b, &n(0, 2), &fraction(9, 1)));
+        assert!(!is_far(&a, &b, &n(0, 2), &fraction(9_000_000_001, 1_000_000_000)));
+        assert!(!is_far(&a, &b, &n(0, -2), &fraction(1, 9)));
+        assert!(!is_far(&a, &b, &n(0, 0), &fraction(0, 1)));
+        assert!(is_far(&b, &a, &n(0, -2), &fraction(9, 1)));
+    }
+
+    #[test]
+    fn parts_are_halved_a_hundred_and_twenty_times() {
+        let pieces = polygon(&[[0, 0], [1, 0]]);
+        let mut nodes = Nodes::new(&pieces);
+        let mut node = nodes.whole();
+        for _ in 0..MOST_HALVINGS {
+            [node, _] = nodes.halves(&node).expect("a half");
+        }
+        assert!(nodes.halves(&node).is_none());
+    }
+}

@@ -117,7 +117,7 @@ fn bernstein_sum(column: &[Integer], u: &Rational) -> Integer {
     for (k, x) in column.iter().enumerate() {
         let binomial = Integer::binomial(degree as u32, k as u32);
         total += x * binomial * &power * &powers[degree - k];
-        power = power * a;
+        power *= a;
     }
     total
 }

@@ -231,3 +231,72 @@ fn left_part(column: &[Integer], u: &Rational) -> Vec<Integer> {
     }
     row
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::{BSpline, Curve};
+    use crate::number::RationalVector;
+
+    fn vector(numbers: &[i64]) -> RationalVector {
+        let numbers: Vec<Rational> = numbers
+            .iter()
+            .map(|x| Rational::from_integer(Integer::from(*x)))
+            .collect();
+        RationalVector::from_rationals(&numbers)
+    }
+
+    fn half() -> Rational {
+        Rational::new(Integer::ONE, Integer::from(2))
+    }
+
+    /// Rational, of degree 2, with a double knot, not clamped.
+    fn spline() -> BSpline {
+        BSpline::new(
+            2,
+            2,
+            vector(&[0, 1, 2, 3, 3, 5, 6, 8]),
+            vector(&[0, 0, 2, 1, 3, 5, 4, 4, 9, 1]),
+            Some(vector(&[1, 2, 1, 3, 1])),
+        )
+        .expect("a spline")
+    }
+
+    #[test]
+    fn knots_are_those_of_the_operations() {
+        let spline = spline();
+        let curve = Curve::from(spline.clone());
+        let known = Spline::of(&curve).expect("a spline");
+        let t = half() + Rational::from_integer(Integer::from(3));
+        let requires = |wanted: Option<Spline>, made: BSpline| {
+            let made = Curve::from(made);
+            assert_eq!(wanted.expect("possible").require(&made), Ok(()));
+            let pieces = Pieces::new(&curve).expect("no points");
+            assert_eq!(require_same(&pieces, &Pieces::new(&made).expect("no points")), Ok(()));
+        };
+        requires(known.inserted(&t, 2), spline.insert_knot(&t, 2).expect("inserts"));
+        for by in [1, 3] {
+            requires(Some(known.elevated(by)), spline.elevate(by).expect("elevates"));
+        }
+        let [first, second] = known.split(&t).expect("inside");
+        let (before, behind) = spline.split(&t).expect("inside");
+        requires(Some(first), before);
+        requires(Some(second), behind);
+        let inserted = spline.insert_knot(&t, 2).expect("inserts");
+        let more = Spline::of(&Curve::from(inserted)).expect("a spline");
+        assert_eq!(more.removed(&t, 2).expect("there").knots, known.knots);
+        assert!(more.removed(&t, 3).is_none());
+        assert!(known.removed(&Rational::from_integer(Integer::from(2)), 1).is_none());
+        assert!(known.split(&Rational::from_integer(Integer::from(6))).is_none());
+        assert!(known.inserted(&Rational::from_integer(Integer::from(7)), 1).is_none());
+    }
+
+    #[test]
+    fn left_parts_are_sections() {
+        let column = [3, -1, 4, 1].map(Integer::from);
+        // By halving the coefficients are sums over 8.
+        assert_eq!(left_part(&column, &half()), [24, 8, 10, 13].map(Integer::from));
+        let one = Rational::from_integer(Integer::ONE);
+        assert_eq!(left_part(&column, &one), column);
+    }
+}

@@ -16,7 +16,7 @@ fn series(columns: &[Vec<Integer>], u: &Rational, order: usize) -> Vec<Vec<Integ
         let mut power = Integer::ONE;
         for j in (0..=degree).rev() {
             row[j] = &row[j] * &power;
-            power = power * b;
+            power *= b;
         }
         let mut scale = Integer::ONE;
         (0..=order)
@@ -127,4 +127,62 @@ pub fn torsion(place: &Place) -> Result<Rational, Failure> {
         });
     }
     Ok(Rational::new(dot(&turn, &third) * w.pow(2), squared))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::pieces::Pieces;
+    use super::*;
+    use crate::claim::values::Side;
+    use crate::curve::{self, BSpline, Curve};
+    use crate::number::RationalVector;
+
+    fn fraction(numerator: i64, denominator: i64) -> Rational {
+        Rational::new(Integer::from(numerator), Integer::from(denominator))
+    }
+
+    fn vector(numbers: &[i64]) -> RationalVector {
+        let numbers: Vec<Rational> = numbers.iter().map(|x| fraction(*x, 1)).collect();
+        RationalVector::from_rationals(&numbers)
+    }
+
+    /// A rational cubic in space of two pieces of different lengths.
+    fn spline() -> BSpline {
+        BSpline::new(
+            3,
+            3,
+            vector(&[0, 0, 0, 0, 2, 5, 5, 5, 5]),
+            vector(&[0, 0, 1, 1, 3, 2, 4, -1, 0, 6, 2, 2, 7, 1, 5]),
+            Some(vector(&[1, 3, 2, 1, 4])),
+        )
+        .expect("a spline")
+    }
+
+    #[test]
+    fn derivatives_are_those_of_leibniz() {
+        let spline = spline();
+        let pieces = Pieces::new(&Curve::from(spline.clone())).expect("no points");
+        for (t, side, same) in [
+            (fraction(0, 1), Side::Right, curve::Side::After),
+            (fraction(1, 3), Side::Left, curve::Side::Before),
+            (fraction(2, 1), Side::Left, curve::Side::Before),
+            (fraction(2, 1), Side::Right, curve::Side::After),
+            (fraction(5, 1), Side::Left, curve::Side::Before),
+        ] {
+            let place = pieces.place(&t, side).expect("inside");
+            let expected = spline.derivatives(&t, same, 6).expect("inside");
+            for (order, vector) in expected.iter().enumerate() {
+                assert_eq!(&derivative(&place, order), vector, "order {order}");
+            }
+            let [a, b, c] = [1, 2, 3].map(|k| &expected[k]);
+            let turn = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i]);
+            let dot = |v: &[Rational], w: &[Rational]| &v[0] * &w[0] + &v[1] * &w[1] + &v[2] * &w[2];
+            let (speed, squared) = (dot(a, a), dot(&turn, &turn));
+            assert_eq!(
+                curvature_squared(&place).expect("regular"),
+                &squared / (&speed * &speed * &speed)
+            );
+            assert_eq!(torsion(&place).expect("bent"), dot(&turn, c) / squared);
+        }
+    }
 }

@@ -106,6 +106,10 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             "nothing to judge by: name certificates of the claims values and msd, or --cases CASES",
         ));
     }
+    let mut cases = match &arguments.cases {
+        None => Vec::new(),
+        Some(file) => read(file, |text| read_cases(text))?.cases,
+    };
     let read_answers = results.map(|file| read(file, |text| read_results(text))).transpose()?;
     let tolerances = match &arguments.tolerances {
         None => Tolerances::default(),

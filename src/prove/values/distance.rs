@@ -180,7 +180,7 @@ impl Search<'_> {
                 return None;
             }
             let n = n.map(Integer::from);
-            is_far(&a.node, &b.node, &n[..self.dimension], self.lower).then(|| Token::Leaf(Leaf::Far(n)))
+            is_far(&a.node, &b.node, &n[..self.dimension], self.lower).then_some(Token::Leaf(Leaf::Far(n)))
         })
     }
 

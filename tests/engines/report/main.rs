@@ -99,8 +99,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .enumerate()
         .map(|(i, case)| (case.id.as_str(), i))
         .collect();
-    let mut found = Vec::new();
-    for command in &arguments.engines {
+    let examine = |command: &String| -> Result<Found, String> {
         let engine = run::Adapter::new(command, &arguments.adapters);
         let results = engine.answers(&cases)?;
         let report = Report::new(&cases, &results, &tolerances, |case| {
@@ -112,29 +111,37 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             "{}: {} right, {} wrong, {} refused, {} not offered, {} missing, {} unjudged",
             report.engine, total.right, total.wrong, total.refused, total.not_offered, total.missing, total.unjudged
         );
-        let mut faults: BTreeMap<Group, Fault> = BTreeMap::new();
-        for (case, finding) in cases.iter().zip(&report.findings) {
-            let Verdict::Wrong(wrong) = &finding.verdict else {
-                continue;
-            };
-            let group = group(case, wrong);
-            let fault = faults.entry(group).or_insert_with(|| Fault {
-                count: 0,
-                case: case.clone(),
-                wrong: wrong.clone(),
-            });
-            fault.count += 1;
-            if shrink::size(case) < shrink::size(&fault.case) {
-                fault.case = case.clone();
-                fault.wrong = wrong.clone();
-            }
-        }
+        let mut faults = faults(&cases, &report);
         shrink::shrink(&engine, &mut faults, &tolerances, arguments.rounds)?;
-        found.push(Found { report, faults });
-    }
+        eprintln!("{}: {} ways of being wrong", report.engine, faults.len());
+        Ok(Found { report, faults })
+    };
+    let found: Result<Vec<Found>, String> = arguments.engines.par_iter().map(examine).collect();
+    let found = found?;
     let page = page::page(&found, &cases, arguments.seed);
     std::fs::write(&arguments.output, page)?;
     Ok(())
+}
+
+/// The ways of being wrong, each with the smallest of its cases.
+fn faults(cases: &[Case], report: &Report) -> BTreeMap<Group, Fault> {
+    let mut faults: BTreeMap<Group, Fault> = BTreeMap::new();
+    for (case, finding) in cases.iter().zip(&report.findings) {
+        let Verdict::Wrong(wrong) = &finding.verdict else {
+            continue;
+        };
+        let fault = faults.entry(group(case, wrong)).or_insert_with(|| Fault {
+            count: 0,
+            case: case.clone(),
+            wrong: wrong.clone(),
+        });
+        fault.count += 1;
+        if shrink::size(case) < shrink::size(&fault.case) {
+            fault.case = case.clone();
+            fault.wrong = wrong.clone();
+        }
+    }
+    faults
 }
 
 /// The exact result of a case.

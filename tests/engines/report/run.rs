@@ -21,14 +21,15 @@ impl Adapter {
     }
 
     /// The answers to the cases.
-    pub fn answers(&self, cases: &[Case]) -> Result<ResultsFile, Box<dyn std::error::Error>> {
-        let folder = TempDir::new()?;
+    pub fn answers(&self, cases: &[Case]) -> Result<ResultsFile, String> {
+        let own = |error: std::io::Error| format!("{}: {error}", self.command.join(" "));
+        let folder = TempDir::new().map_err(own)?;
         let (asked, written) = (folder.path().join("cases.json"), folder.path().join("results.json"));
         let file = CasesFile {
             seed: None,
             cases: cases.to_vec(),
         };
-        std::fs::write(&asked, write_cases(&file))?;
+        std::fs::write(&asked, write_cases(&file)).map_err(own)?;
         let (program, rest) = self.command.split_first().ok_or("an empty command")?;
         let status = Command::new(program)
             .args(rest)
@@ -36,10 +37,11 @@ impl Adapter {
             .current_dir(&self.directory)
             .stdout(Stdio::null())
             .status()
-            .map_err(|error| format!("{program}: {error}"))?;
+            .map_err(own)?;
         if !status.success() {
-            return Err(format!("{}: {status}", self.command.join(" ")).into());
+            return Err(format!("{}: {status}", self.command.join(" ")));
         }
-        Ok(read_results(std::fs::read(&written)?).map_err(|error| format!("{}: {error}", self.command.join(" ")))?)
+        let text = std::fs::read(&written).map_err(own)?;
+        read_results(text).map_err(|error| format!("{}: {error}", self.command.join(" ")))
     }
 }

@@ -549,7 +549,7 @@ fn distances(cases: &mut Cases) {
     );
     cases.reject(
         "nearest-lower-too-large",
-        &near(json!([0, 1]), "751/1000", "752/1000", "853/1000"),
+        &near(json!([0, 1]), "751/1000", "94/125", "853/1000"),
         wish(
             "nearest_point",
             "a squared distance of at least lower_squared by halving",
