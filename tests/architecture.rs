@@ -13,6 +13,7 @@ const MAY_USE: [(&str, &[&str]); 15] = [
     ("claim", &["number", "curve"]),
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
+    ("engine", &["number", "curve"]),
     ("float", &["number", "curve"]),
     (
         "prove",
@@ -43,7 +44,7 @@ const MAY_USE: [(&str, &[&str]); 15] = [
     ),
     (
         "validate",
-        &["number", "curve", "claim", "certificate", "check", "float"],
+        &["number", "curve", "claim", "certificate", "check", "engine", "float"],
     ),
     ("show", &["number", "curve", "claim", "certificate", "check", "float"]),
     (
@@ -56,6 +57,7 @@ const MAY_USE: [(&str, &[&str]); 15] = [
             "claim",
             "certificate",
             "check",
+            "engine",
             "float",
             "prove",
             "compare",

@@ -37,5 +37,8 @@ mod show;
 #[path = "cli/usage.rs"]
 mod usage;
 #[cfg(feature = "prove")]
+#[path = "cli/validate.rs"]
+mod validate;
+#[cfg(feature = "prove")]
 #[path = "cli/values.rs"]
 mod values;
