@@ -44,9 +44,13 @@
 //! # #[cfg(not(feature = "prove"))]
 //! # fn main() {}
 //! ```
+#[cfg(feature = "prove")]
+pub mod approximation;
 pub mod certificate;
 pub mod check;
 pub mod claim;
+#[cfg(feature = "prove")]
+pub mod compare;
 pub mod curve;
 #[cfg(feature = "prove")]
 pub mod float;
@@ -55,3 +59,5 @@ pub mod number;
 pub mod polytope;
 #[cfg(feature = "prove")]
 pub mod prove;
+#[cfg(feature = "prove")]
+pub mod show;

@@ -4,17 +4,40 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Modules under `src` with those each may use. What is not listed may use nothing that is.
-const MAY_USE: [(&str, &[&str]); 12] = [
+const MAY_USE: [(&str, &[&str]); 14] = [
     ("number", &[]),
     ("polytope", &["number"]),
     ("curve", &["number"]),
+    ("approximation", &["number", "curve"]),
     ("claim", &["number"]),
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
     ("float", &["number", "curve"]),
     (
         "prove",
-        &["number", "polytope", "curve", "claim", "certificate", "check", "float"],
+        &[
+            "number",
+            "polytope",
+            "curve",
+            "approximation",
+            "claim",
+            "certificate",
+            "check",
+            "float",
+        ],
+    ),
+    (
+        "compare",
+        &[
+            "number",
+            "curve",
+            "approximation",
+            "claim",
+            "certificate",
+            "check",
+            "float",
+            "prove",
+        ],
     ),
     (
         "validate",
@@ -26,11 +49,13 @@ const MAY_USE: [(&str, &[&str]); 12] = [
         &[
             "number",
             "curve",
+            "approximation",
             "claim",
             "certificate",
             "check",
             "float",
             "prove",
+            "compare",
             "validate",
             "show",
         ],

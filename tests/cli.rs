@@ -9,6 +9,9 @@ mod certify;
 #[path = "cli/check.rs"]
 mod check;
 #[cfg(feature = "prove")]
+#[path = "cli/compare.rs"]
+mod compare;
+#[cfg(feature = "prove")]
 #[path = "cli/curvature.rs"]
 mod curvature;
 #[cfg(feature = "prove")]
@@ -24,6 +27,9 @@ mod embedding;
 mod help;
 #[path = "cli/run.rs"]
 mod run;
+#[cfg(feature = "prove")]
+#[path = "cli/show.rs"]
+mod show;
 #[cfg(feature = "prove")]
 #[path = "cli/usage.rs"]
 mod usage;

@@ -77,7 +77,7 @@ enum Outcome {
 /// An accepted statement.
 #[derive(Serialize)]
 #[serde(tag = "claim", rename_all = "snake_case")]
-enum StatementLine {
+pub enum StatementLine {
     Msd {
         convention: &'static str,
         #[serde(flatten)]
@@ -190,8 +190,9 @@ fn judge(input: &Input, wanted: Option<&Wanted>) -> Result<Outcome, Failure> {
     }
 }
 
-fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
-    let statement = match &document.claim {
+/// What a certificate states.
+pub fn statement(document: &Document) -> StatementLine {
+    match &document.claim {
         Claim::Msd(content) => StatementLine::Msd {
             convention: content.statement.convention.name(),
             bounds: Bounds::new(&content.statement),
@@ -217,10 +218,13 @@ fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
             line: EmbeddingLine::new(&content.statement),
             words: embedding_words::in_words(&content.statement),
         },
-    };
+    }
+}
+
+fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
     Outcome::Accepted {
         verdict: "accepted",
-        statement: Box::new(statement),
+        statement: Box::new(statement(document)),
         leaves,
         curve_sha256: hexadecimal(sha256),
     }
@@ -246,6 +250,20 @@ fn hexadecimal(bytes: &[u8]) -> String {
         let _ = write!(text, "{byte:02x}");
         text
     })
+}
+
+impl StatementLine {
+    /// The statement in words.
+    pub fn words(&self) -> &str {
+        match self {
+            StatementLine::Msd { words, .. }
+            | StatementLine::Domain { words, .. }
+            | StatementLine::Deviation { words, .. }
+            | StatementLine::Thickness { words, .. }
+            | StatementLine::Curvature { words, .. }
+            | StatementLine::Embedding { words, .. } => words,
+        }
+    }
 }
 
 impl Outcome {

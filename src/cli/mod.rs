@@ -1,9 +1,13 @@
 //! The command line: its arguments, one file for each subcommand, exit codes.
 
+#[cfg(feature = "prove")]
+mod atomic_file;
 mod bounds;
 #[cfg(feature = "prove")]
 mod certify;
 mod check;
+#[cfg(feature = "prove")]
+mod compare;
 mod curvature_words;
 mod deviation_words;
 mod domain_words;
@@ -11,6 +15,8 @@ mod embedding_words;
 mod failure;
 mod input;
 mod output;
+#[cfg(feature = "prove")]
+mod show;
 mod thickness_words;
 
 use std::process::ExitCode;
@@ -38,6 +44,10 @@ enum Command {
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "prove")]
+    Show(show::Arguments),
+    #[cfg(feature = "prove")]
+    Compare(compare::Arguments),
 }
 
 /// What every subcommand prints.
@@ -83,6 +93,10 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "prove")]
         Command::Certify(arguments) => certify::run(arguments),
         Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Show(arguments) => show::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Compare(arguments) => compare::run(&arguments),
     };
     outcome
         .unwrap_or_else(|failure| {

@@ -1,13 +1,12 @@
 //! `knotproof certify`: proves a claim about a curve.
 
-mod atomic_file;
 mod curvature;
 mod deviation;
 mod domain;
 mod embedding;
 mod msd;
 mod output_file;
-mod progress;
+pub mod progress;
 mod report;
 mod thickness;
 

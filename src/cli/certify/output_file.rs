@@ -9,7 +9,7 @@ use knotproof::claim::AsClaim;
 use knotproof::prove::domain::{CertifyError, write_checked};
 use tempfile::{NamedTempFile, SpooledTempFile};
 
-use super::atomic_file::AtomicFile;
+use crate::cli::atomic_file::AtomicFile;
 use super::report::Written;
 use crate::cli::Printing;
 use crate::cli::failure::Failure;
