@@ -48,6 +48,8 @@ pub mod certificate;
 pub mod check;
 pub mod claim;
 pub mod curve;
+#[cfg(feature = "import")]
+pub mod import;
 pub mod number;
 #[cfg(feature = "prove")]
 pub mod polytope;

@@ -4,10 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Modules under `src` with those each may use. What is not listed may use nothing that is.
-const MAY_USE: [(&str, &[&str]); 12] = [
+const MAY_USE: [(&str, &[&str]); 13] = [
     ("number", &[]),
     ("polytope", &["number"]),
     ("curve", &["number"]),
+    ("import", &["number", "curve"]),
     ("claim", &["number"]),
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
@@ -26,6 +27,7 @@ const MAY_USE: [(&str, &[&str]); 12] = [
         &[
             "number",
             "curve",
+            "import",
             "claim",
             "certificate",
             "check",

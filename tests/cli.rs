@@ -22,6 +22,9 @@ mod domain;
 mod embedding;
 #[path = "cli/help.rs"]
 mod help;
+#[cfg(all(feature = "import", feature = "prove"))]
+#[path = "cli/import.rs"]
+mod import;
 #[path = "cli/run.rs"]
 mod run;
 #[cfg(feature = "prove")]

@@ -1,5 +1,7 @@
 //! The command line: its arguments, one file for each subcommand, exit codes.
 
+#[cfg(any(feature = "prove", feature = "import"))]
+mod atomic_file;
 mod bounds;
 #[cfg(feature = "prove")]
 mod certify;
@@ -9,8 +11,12 @@ mod deviation_words;
 mod domain_words;
 mod embedding_words;
 mod failure;
+#[cfg(feature = "import")]
+mod import;
 mod input;
 mod output;
+#[cfg(feature = "import")]
+mod reading;
 mod thickness_words;
 
 use std::process::ExitCode;
@@ -38,6 +44,8 @@ enum Command {
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "import")]
+    Import(import::Arguments),
 }
 
 /// What every subcommand prints.
@@ -83,6 +91,8 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "prove")]
         Command::Certify(arguments) => certify::run(arguments),
         Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "import")]
+        Command::Import(arguments) => import::run(&arguments),
     };
     outcome
         .unwrap_or_else(|failure| {

@@ -1,6 +1,5 @@
 //! `knotproof certify`: proves a claim about a curve.
 
-mod atomic_file;
 mod curvature;
 mod deviation;
 mod domain;
