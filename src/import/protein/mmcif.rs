@@ -201,7 +201,7 @@ mod tests {
     #[test]
     fn faults_with_line_and_column() {
         for (from, to, expected) in [
-            ("3.8 0.0 0.0 1", "3.8 zero 0.0 1", "line 24 column 22: a coordinate"),
+            ("3.8 0.0 0.0 1", "3.8 zero 0.0 1", "line 24 column 23: a coordinate"),
             ("3.8 3.8 0.0 1", "3.8 3.8 0.0", "line 26 column 1: found 9 values"),
             ("_atom_site.Cartn_z\n", "", "found no column _atom_site.Cartn_z"),
             ("'CA'", "'CA", "line 24 column 8: found quotes"),

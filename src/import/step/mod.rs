@@ -289,7 +289,7 @@ mod tests {
             ("'',2", "'',$", "degree: expected"),
             ("0.5", "1.5", "entity #9: not a curve: knots"),
             ("0.5", ".T.", "knots: expected a number"),
-            ("0.5", "0.5E99999", "knots: found"),
+            ("0.5", "0.5E99999", "knots: the exponent"),
         ] {
             let text = good.replace(from, to);
             assert_ne!(text, good);

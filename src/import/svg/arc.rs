@@ -122,18 +122,20 @@ pub(super) fn draw(arc: &Arc) -> Result<Drawn, String> {
         last.clone_from(arc.end);
     }
     let greatest = if radii[0] > radii[1] { &radii[0] } else { &radii[1] };
-    let bound = (!width.numer().is_zero()).then(|| bound(&width) * greatest);
+    let bound = (!width.numer().is_zero()).then(|| bound(&width, &lower, &square) * greatest);
     Ok(Drawn { pieces, bound })
 }
 
-/// How far an arc of the unit circle moves when its centre moves along the bisector of its chord, the ends fixed, by at most
-/// `width` times the chord's length.
+/// How far an arc of the unit circle moves when its centre moves along the bisector of its chord, of the squared length `square`, the
+/// ends fixed, and the centre's height over the chord divided by the chord's length d stays between `least` and `least` + `width`.
 ///
 /// Let both arcs be parametrised by the angle from the bisector, in proportion. Points of equal parameter differ at most by the
-/// distance of the centres (≤ 2 width, for the chord is at most 2), plus that of the radii (no more), plus half the
-/// difference of the angles, which are 2 arccot 2h with a derivative of at most 4 in h (≤ 2 width).
-fn bound(width: &Rational) -> Rational {
-    width * whole(6)
+/// distance of the centres (≤ d · width), plus that of the radii (no more), plus half the difference of the angles, which are
+/// 2 arccot 2h with the derivative −4/(1 + 4h²).
+fn bound(width: &Rational, least: &Rational, square: &Rational) -> Rational {
+    let chord = sqrt_enclosure(square, CENTRE_BITS).1;
+    let slope = whole(2) / (whole(1) + whole(4) * least * least);
+    width * (whole(2) * chord + slope)
 }
 
 /// The pieces from `from` to `to` around the centre, in its frame: quarters, and a last one of at most 120°.

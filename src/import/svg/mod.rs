@@ -11,7 +11,7 @@ mod transform;
 
 use std::collections::HashMap;
 
-use roxmltree::{Document, Node, NodeId, ParsingOptions};
+use roxmltree::{Attribute, Document, Node, NodeId, ParsingOptions};
 
 use self::shape::{Attributes, ShapeFault};
 use self::transform::{Affine, Fault};
@@ -177,14 +177,18 @@ impl Reader<'_> {
         Ok(())
     }
 
+    /// Whether an attribute's value has the bytes of the file, one by one.
+    fn is_literal(&self, attribute: &Attribute) -> bool {
+        let source = self.text.get(attribute.range_value()).unwrap_or("");
+        source.len() == attribute.value().len() && !source.contains('&')
+    }
+
     /// A fault in an attribute, told by the line and column in the file.
     fn fault(&self, node: Node, attribute: &str, (offset, message): &Fault) -> ImportError {
         let found = node.attribute_node(attribute);
         let at = match &found {
-            // A value without entities and line ends is the file's own text, byte by byte.
-            Some(found) if self.text.get(found.range_value()) == Some(found.value()) => {
-                found.range_value().start + offset
-            }
+            // Line ends become spaces, one for one; with entities the bytes of the value are not those of the file.
+            Some(found) if self.is_literal(found) => found.range_value().start + offset,
             Some(found) => found.range_value().start,
             None => node.range().start,
         };

@@ -219,7 +219,7 @@ mod tests {
         assert_eq!(rect(&[("rx", "1")]), 8);
         // More than half the height: no straight part at the sides.
         assert_eq!(rect(&[("rx", "1"), ("ry", "9")]), 6);
-        assert_eq!(rect(&[("rx", "auto"), ("ry", "5")]), 6);
+        assert_eq!(rect(&[("rx", "auto"), ("ry", "3")]), 6);
         assert_eq!(
             read("polygon", &[("points", "0,0 1,0 1,1")])
                 .unwrap()
