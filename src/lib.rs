@@ -44,14 +44,22 @@
 //! # #[cfg(not(feature = "prove"))]
 //! # fn main() {}
 //! ```
+#[cfg(feature = "prove")]
+pub mod approximation;
 pub mod certificate;
 pub mod check;
 pub mod claim;
+#[cfg(feature = "prove")]
+pub mod compare;
 pub mod curve;
 #[cfg(feature = "import")]
 pub mod import;
+#[cfg(feature = "prove")]
+pub mod motion;
 pub mod number;
 #[cfg(feature = "prove")]
 pub mod polytope;
 #[cfg(feature = "prove")]
 pub mod prove;
+#[cfg(feature = "prove")]
+pub mod show;

@@ -4,18 +4,43 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Modules under `src` with those each may use. What is not listed may use nothing that is.
-const MAY_USE: [(&str, &[&str]); 13] = [
+const MAY_USE: [(&str, &[&str]); 16] = [
     ("number", &[]),
     ("polytope", &["number"]),
     ("curve", &["number"]),
     ("import", &["number", "curve"]),
+    ("approximation", &["number", "curve"]),
+    ("motion", &["number", "curve"]),
     ("claim", &["number"]),
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
     ("float", &["number", "curve"]),
     (
         "prove",
-        &["number", "polytope", "curve", "claim", "certificate", "check", "float"],
+        &[
+            "number",
+            "polytope",
+            "curve",
+            "approximation",
+            "motion",
+            "claim",
+            "certificate",
+            "check",
+            "float",
+        ],
+    ),
+    (
+        "compare",
+        &[
+            "number",
+            "curve",
+            "approximation",
+            "claim",
+            "certificate",
+            "check",
+            "float",
+            "prove",
+        ],
     ),
     (
         "validate",
@@ -28,11 +53,14 @@ const MAY_USE: [(&str, &[&str]); 13] = [
             "number",
             "curve",
             "import",
+            "approximation",
+            "motion",
             "claim",
             "certificate",
             "check",
             "float",
             "prove",
+            "compare",
             "validate",
             "show",
         ],

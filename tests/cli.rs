@@ -9,6 +9,9 @@ mod certify;
 #[path = "cli/check.rs"]
 mod check;
 #[cfg(feature = "prove")]
+#[path = "cli/compare.rs"]
+mod compare;
+#[cfg(feature = "prove")]
 #[path = "cli/curvature.rs"]
 mod curvature;
 #[cfg(feature = "prove")]
@@ -25,8 +28,14 @@ mod help;
 #[cfg(all(feature = "import", feature = "prove"))]
 #[path = "cli/import.rs"]
 mod import;
+#[cfg(feature = "prove")]
+#[path = "cli/motion.rs"]
+mod motion;
 #[path = "cli/run.rs"]
 mod run;
+#[cfg(feature = "prove")]
+#[path = "cli/show.rs"]
+mod show;
 #[cfg(feature = "prove")]
 #[path = "cli/usage.rs"]
 mod usage;

@@ -12,6 +12,7 @@ pub mod domain;
 pub mod element;
 pub mod embedding;
 pub mod hull;
+pub mod motion;
 mod msd;
 pub mod part;
 pub mod polynomial;
@@ -59,6 +60,38 @@ pub enum Place {
     Token {
         /// Number of the token, from 0.
         number: u64,
+    },
+    /// An event of a motion.
+    Event {
+        /// Its number, from 0.
+        number: u64,
+    },
+    /// A pair of nodes of the tree of an event.
+    EventPair {
+        /// Number of the event, from 0.
+        number: u64,
+        /// The track.
+        track: &'static str,
+        /// Number of the token among those of the event, from 0.
+        token: u64,
+        /// First node.
+        a: String,
+        /// Second node.
+        b: String,
+    },
+    /// A leaf at the time that an event leads to.
+    EventLeaf {
+        /// Number of the event, from 0.
+        number: u64,
+        /// The track.
+        track: &'static str,
+        /// Number of the leaf.
+        leaf: u64,
+    },
+    /// The contact of a track of a motion.
+    Contact {
+        /// The track.
+        track: &'static str,
     },
 }
 
@@ -111,6 +144,15 @@ pub enum Reason {
     },
     /// Moving points, an interval or a box that the curve does not have.
     Domain(DomainError),
+    /// A motion that the curve cannot have.
+    Motion(motion::MotionError),
+    /// Something else than what must be there.
+    Expected {
+        /// What must be there.
+        expected: &'static str,
+        /// What is there.
+        found: String,
+    },
 }
 
 /// Why a well-formed certificate is not accepted.
@@ -131,6 +173,16 @@ impl fmt::Display for Place {
             Place::Pair { token, a, b } => write!(f, "tree, token {token}, pair ({a}; {b})"),
             Place::Evidence => f.write_str("evidence"),
             Place::Token { number } => write!(f, "tree, token {number}"),
+            Place::Event { number } => write!(f, "event {number}"),
+            Place::EventPair {
+                number,
+                track,
+                token,
+                a,
+                b,
+            } => write!(f, "event {number}, {track}, token {token}, pair ({a}; {b})"),
+            Place::EventLeaf { number, track, leaf } => write!(f, "event {number}, {track}, leaf {leaf}"),
+            Place::Contact { track } => write!(f, "contact of the {track}"),
         }
     }
 }
@@ -160,6 +212,8 @@ impl fmt::Display for Reason {
                 )
             }
             Reason::Domain(error) => error.fmt(f),
+            Reason::Motion(error) => error.fmt(f),
+            Reason::Expected { expected, found } => write!(f, "expected {expected}, found {found}"),
         }
     }
 }
@@ -209,6 +263,7 @@ pub fn check<R: Read>(source: R) -> Verdict {
         Claim::Deviation(content) => no_tokens(&mut tokens)
             .and_then(|()| deviation::check_deviation(&document.curve, content))
             .map(|()| 0),
+        Claim::Motion(content) => motion::check_motion(&document.curve, content, &mut tokens),
         Claim::Thickness(content) => check_thickness(&document.curve, content, &mut tokens),
         Claim::Curvature(content) => no_tokens(&mut tokens)
             .and_then(|()| curvature::check_curvature(&document.curve, content))

@@ -4,6 +4,7 @@ pub mod curvature;
 pub mod deviation;
 pub mod domain;
 pub mod embedding;
+pub mod motion;
 pub mod msd;
 pub mod thickness;
 pub mod tree;
@@ -23,6 +24,8 @@ pub enum Claim {
     Embedding(embedding::Content),
     /// The thickness.
     Thickness(thickness::Content),
+    /// A moving curve.
+    Motion(motion::Content),
 }
 
 /// A borrowed [`Claim`].
@@ -40,6 +43,8 @@ pub enum ClaimRef<'a> {
     Embedding(&'a embedding::Content),
     /// The thickness.
     Thickness(&'a thickness::Content),
+    /// A moving curve.
+    Motion(&'a motion::Content),
 }
 
 /// The content of a certificate, of one claim or of any.
@@ -57,6 +62,7 @@ impl AsClaim for Claim {
             Claim::Deviation(content) => ClaimRef::Deviation(content),
             Claim::Embedding(content) => ClaimRef::Embedding(content),
             Claim::Thickness(content) => ClaimRef::Thickness(content),
+            Claim::Motion(content) => ClaimRef::Motion(content),
         }
     }
 }
@@ -82,6 +88,12 @@ impl AsClaim for deviation::Content {
 impl AsClaim for curvature::Content {
     fn as_claim(&self) -> ClaimRef<'_> {
         ClaimRef::Curvature(self)
+    }
+}
+
+impl AsClaim for motion::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Motion(self)
     }
 }
 
@@ -134,6 +146,14 @@ impl Claim {
     pub fn embedding(&self) -> Option<&embedding::Content> {
         match self {
             Claim::Embedding(content) => Some(content),
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `motion`, if it is that.
+    pub fn motion(&self) -> Option<&motion::Content> {
+        match self {
+            Claim::Motion(content) => Some(content),
             _ => None,
         }
     }

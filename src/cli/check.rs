@@ -15,6 +15,7 @@ use super::domain_words::{self, DomainLine};
 use super::embedding_words::{self, EmbeddingLine};
 use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
+use super::motion_words::{self, MotionLine};
 use super::output::{complain, say, say_json};
 #[cfg(feature = "import")]
 use super::reading::Reading;
@@ -82,7 +83,7 @@ enum Outcome {
 /// An accepted statement.
 #[derive(Serialize)]
 #[serde(tag = "claim", rename_all = "snake_case")]
-enum StatementLine {
+pub enum StatementLine {
     Msd {
         convention: &'static str,
         #[serde(flatten)]
@@ -117,6 +118,12 @@ enum StatementLine {
     Embedding {
         #[serde(flatten)]
         line: EmbeddingLine,
+        #[serde(skip)]
+        words: String,
+    },
+    Motion {
+        #[serde(flatten)]
+        line: Box<MotionLine>,
         #[serde(skip)]
         words: String,
     },
@@ -199,8 +206,9 @@ fn judge(input: &Input, wanted: Option<&Wanted>) -> Result<Outcome, Failure> {
     }
 }
 
-fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
-    let statement = match &document.claim {
+/// What a certificate states.
+pub fn statement(document: &Document) -> StatementLine {
+    match &document.claim {
         Claim::Msd(content) => StatementLine::Msd {
             convention: content.statement.convention.name(),
             bounds: Bounds::new(&content.statement),
@@ -222,14 +230,21 @@ fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
             line: CurvatureLine::new(&content.statement),
             words: curvature_words::in_words(&content.statement),
         },
+        Claim::Motion(content) => StatementLine::Motion {
+            line: Box::new(MotionLine::new(&content.statement)),
+            words: motion_words::in_words(&content.statement),
+        },
         Claim::Embedding(content) => StatementLine::Embedding {
             line: EmbeddingLine::new(&content.statement),
             words: embedding_words::in_words(&content.statement),
         },
-    };
+    }
+}
+
+fn accepted(document: &Document, leaves: u64, sha256: &[u8]) -> Outcome {
     Outcome::Accepted {
         verdict: "accepted",
-        statement: Box::new(statement),
+        statement: Box::new(statement(document)),
         leaves,
         curve_sha256: hexadecimal(sha256),
     }
@@ -257,6 +272,21 @@ fn hexadecimal(bytes: &[u8]) -> String {
     })
 }
 
+impl StatementLine {
+    /// The statement in words.
+    pub fn words(&self) -> &str {
+        match self {
+            StatementLine::Msd { words, .. }
+            | StatementLine::Domain { words, .. }
+            | StatementLine::Deviation { words, .. }
+            | StatementLine::Thickness { words, .. }
+            | StatementLine::Curvature { words, .. }
+            | StatementLine::Embedding { words, .. }
+            | StatementLine::Motion { words, .. } => words,
+        }
+    }
+}
+
 impl Outcome {
     /// One line, or nothing of a file that could not be read: standard error has told that.
     fn for_people(&self, input: &Input) -> String {
@@ -278,7 +308,7 @@ impl Outcome {
                         line.convention,
                         leaves_in_words(*leaves),
                     ),
-                    StatementLine::Embedding { words, .. } => format!(
+                    StatementLine::Embedding { words, .. } | StatementLine::Motion { words, .. } => format!(
                         "accepted: {input}: {words} (curve {curve}…, {})\n",
                         leaves_in_words(*leaves),
                     ),

@@ -6,6 +6,8 @@ mod bounds;
 #[cfg(feature = "prove")]
 mod certify;
 mod check;
+#[cfg(feature = "prove")]
+mod compare;
 mod curvature_words;
 mod deviation_words;
 mod domain_words;
@@ -14,9 +16,12 @@ mod failure;
 #[cfg(feature = "import")]
 mod import;
 mod input;
+mod motion_words;
 mod output;
 #[cfg(feature = "import")]
 mod reading;
+#[cfg(feature = "prove")]
+mod show;
 mod thickness_words;
 
 use std::process::ExitCode;
@@ -46,6 +51,10 @@ enum Command {
     Check(check::Arguments),
     #[cfg(feature = "import")]
     Import(import::Arguments),
+    #[cfg(feature = "prove")]
+    Show(show::Arguments),
+    #[cfg(feature = "prove")]
+    Compare(compare::Arguments),
 }
 
 /// What every subcommand prints.
@@ -93,6 +102,10 @@ pub fn run() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         #[cfg(feature = "import")]
         Command::Import(arguments) => import::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Show(arguments) => show::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Compare(arguments) => compare::run(&arguments),
     };
     outcome
         .unwrap_or_else(|failure| {

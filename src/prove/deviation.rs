@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use rayon::prelude::*;
 
 use super::domain::Status;
+pub use crate::approximation::nairn_peters_lutterkort;
 use crate::certificate::Document;
 use crate::check::chain::Chain;
 use crate::check::deviation::{Part, edges, parts};
@@ -69,13 +70,6 @@ impl std::fmt::Display for DeviationError {
 }
 
 impl std::error::Error for DeviationError {}
-
-/// N∞(n) = ⌊n/2⌋⌈n/2⌉/(2n) (Nairn, Peters, Lutterkort 1999): for a polynomial Bézier curve c of degree n with control polygon L,
-/// |c(t) − L(t)| ≤ N∞(n)·max‖Δ²P‖, in any norm.
-pub fn nairn_peters_lutterkort(degree: usize) -> Rational {
-    let (low, high) = (degree / 2, degree.div_ceil(2));
-    Rational::new((low * high).into(), (2 * degree).into())
-}
 
 /// A distance and where it is attained.
 #[derive(Clone)]

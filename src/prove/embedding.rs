@@ -39,6 +39,9 @@ pub struct Certified<'c> {
     pub document: Document<'c, Content>,
     /// Leaves of its tree.
     pub leaves: u64,
+    /// Edges of the control polygon of the cells, which is ambient isotopic to the curve too (docs/embedding.md, Theorem 4); `None` where the tree does
+    /// not show it, which happens with rational pieces only.
+    pub control_polygon_edges: Option<u64>,
     tree: SpooledTempFile,
 }
 
@@ -152,6 +155,7 @@ pub fn certify<'c>(curve: &'c Curve, options: &Options, progress: &dyn Fn(f64)) 
     Ok(Outcome::Embedded(Box::new(Certified {
         document,
         leaves: measured.leaves,
+        control_polygon_edges: measured.control_polygon_edges,
         tree,
     })))
 }

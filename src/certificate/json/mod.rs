@@ -4,6 +4,8 @@ mod curvature;
 mod deviation;
 mod domain;
 mod embedding;
+mod motion;
+mod motion_events;
 mod msd;
 mod numbers;
 mod raw;
@@ -12,5 +14,5 @@ mod thickness;
 mod tree;
 mod write;
 
-pub use read::{read, read_header};
+pub use read::{Texts, read, read_header};
 pub use write::{header, write};

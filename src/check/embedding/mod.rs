@@ -1,8 +1,9 @@
 //! The claim `embedding`: a tree of `separate` and `monotone`, the edges of its polygon, the least margin of its leaves (FORMAT §10).
 
+mod control;
 mod margin;
 mod quick;
-mod rows;
+pub(super) mod rows;
 
 use std::collections::HashSet;
 
@@ -16,6 +17,7 @@ use crate::claim::msd::Convention;
 use crate::claim::tree::TokenSource;
 use crate::curve::Curve;
 use crate::number::Rational;
+use control::Control;
 use margin::Margins;
 
 /// What a tree proves beside the embedding itself.
@@ -25,6 +27,8 @@ pub struct Measured {
     pub leaves: u64,
     /// Edges of the polygon inscribed at the end points of the leaves.
     pub edges: u64,
+    /// Edges of the control polygon of the cells between those end points, if the tree admits it as well: always for polynomial pieces.
+    pub control_polygon_edges: Option<u64>,
     /// The perturbation radius in the norm of greatest coordinates.
     pub infinity: Rational,
     /// The perturbation radius in the Euclidean norm, squared.
@@ -71,6 +75,7 @@ pub fn check_embedding<S: TokenSource>(curve: &Curve, content: &Content, tokens:
 pub fn measure<S: TokenSource>(curve: &Curve, chain: &Chain, grid: u32, tokens: &mut S) -> Result<Measured, Rejection> {
     let context = Context::new(chain, Convention::Smooth, grid);
     let mut margins = Margins::new(curve, chain);
+    let mut control = Control::new(chain);
     let mut ends: HashSet<Parameter> = HashSet::new();
     let judge = |a: &Node, b: Option<&Node>, leaf: &_| {
         context.apart(a, b, leaf)?;
@@ -79,6 +84,7 @@ pub fn measure<S: TokenSource>(curve: &Curve, chain: &Chain, grid: u32, tokens: 
             ends.insert(node.end(chain, &context.elements));
         }
         margins.include(&context, a, b, leaf);
+        control.include(&context, a, b, leaf);
         Ok(())
     };
     let leaves = replay(&context, judge, tokens).map_err(|rejection| *rejection)?;
@@ -88,6 +94,7 @@ pub fn measure<S: TokenSource>(curve: &Curve, chain: &Chain, grid: u32, tokens: 
     Ok(Measured {
         leaves,
         edges,
+        control_polygon_edges: control.edges(chain, &ends),
         infinity,
         euclidean_squared,
     })

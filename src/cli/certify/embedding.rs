@@ -50,6 +50,9 @@ struct Line {
     claim: &'static str,
     #[serde(flatten)]
     statement: Option<EmbeddingLine>,
+    /// Edges of the control polygon of the cells, if it is isotopic by the same tree; beside the statement, not in it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    control_polygon_edges: Option<Option<u64>>,
     /// The knot values of a common point: exact, or the middle of a box that contains them.
     #[serde(skip_serializing_if = "Option::is_none")]
     at: Option<[String; 2]>,
@@ -86,6 +89,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         reason: None,
         claim: "embedding",
         statement: None,
+        control_polygon_edges: None,
         at: None,
         rule: None,
         leaves: 0,
@@ -101,7 +105,14 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
             line.status = "certified";
             line.statement = Some(EmbeddingLine::new(statement));
             line.leaves = certified.leaves;
-            let words = format!("{}\n  by {}", in_words(statement), leaves_in_words(certified.leaves));
+            line.control_polygon_edges = Some(certified.control_polygon_edges);
+            let control = match certified.control_polygon_edges {
+                Some(1) => "the control polygon of its cells, of 1 edge, is isotopic to it too".into(),
+                Some(edges) => format!("the control polygon of its cells, of {edges} edges, is isotopic to it too"),
+                None => "no control polygon is shown to be isotopic to it: pieces are rational".to_string(),
+            };
+            let leaves = leaves_in_words(certified.leaves);
+            let words = format!("{}\n  {control}\n  by {leaves}", in_words(statement));
             (Exit::Success, words)
         }
         Outcome::MeetsItself(mut certified) => {

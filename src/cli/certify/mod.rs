@@ -4,9 +4,11 @@ mod curvature;
 mod deviation;
 mod domain;
 mod embedding;
+mod motion;
+mod motion_report;
 mod msd;
 mod output_file;
-mod progress;
+pub mod progress;
 mod report;
 mod thickness;
 
@@ -29,6 +31,7 @@ enum Claim {
     Curvature(curvature::Arguments),
     Deviation(deviation::Arguments),
     Embedding(Box<embedding::Arguments>),
+    Motion(Box<motion::Arguments>),
     Thickness(thickness::Arguments),
 }
 
@@ -40,6 +43,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         Claim::Curvature(arguments) => curvature::run(&arguments),
         Claim::Deviation(arguments) => deviation::run(&arguments),
         Claim::Embedding(arguments) => embedding::run(*arguments),
+        Claim::Motion(arguments) => motion::run(&arguments),
         Claim::Thickness(arguments) => thickness::run(&arguments),
     }
 }

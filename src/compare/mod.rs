@@ -1,0 +1,79 @@
+//! What papers compute of a curve beside what is certified, as plain rows.
+//!
+//! [`compare`] makes the rows of CPJ12 (Cassidy, Peters, Jordan 2012), of the method before it, of the polygon and of the certified claims. Rows of other
+//! methods can be put beside them: a [`Row`] holds nothing but its words and its numbers.
+
+mod certified;
+mod polygonal;
+mod row;
+
+pub use row::{Row, Standing, Value};
+
+use crate::approximation::ApproximationError;
+use crate::curve::Curve;
+use crate::number::{Integer, Rational};
+
+/// What to compare.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// CPJ12's δ > 0, the tolerance of the estimate.
+    pub delta: Rational,
+    /// CPJ12's ε_d > 0, the tolerance of the candidate test.
+    pub epsilon_d: Rational,
+    /// (upper − lower)/upper of the certified intervals, above 0 and below 1.
+    pub relative_width: Rational,
+}
+
+impl Default for Options {
+    /// The tolerances of CPJ12's example, δ = 1/4 and ε_d = 1/100; widths of 1e-9.
+    fn default() -> Self {
+        Options {
+            delta: Rational::new(Integer::ONE, Integer::from(4)),
+            epsilon_d: Rational::new(Integer::ONE, Integer::from(100)),
+            relative_width: Rational::new(Integer::ONE, Integer::from(10).pow(9)),
+        }
+    }
+}
+
+/// Why there are no rows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CompareError {
+    /// A tolerance is refused.
+    Tolerance(ApproximationError),
+    /// A piece is a single point; nothing is certified about it.
+    PointPiece {
+        /// Its number.
+        piece: usize,
+    },
+    /// A temporary file failed, or the checker did not accept what was found, which is an error of this program.
+    Failed(String),
+}
+
+impl std::fmt::Display for CompareError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            CompareError::Tolerance(error) => error.fmt(f),
+            CompareError::PointPiece { piece } => {
+                write!(f, "piece {piece} is a single point; leave it out of the curve")
+            }
+            CompareError::Failed(why) => f.write_str(why),
+        }
+    }
+}
+
+impl std::error::Error for CompareError {}
+
+/// Computes all rows. What stands as certified has been replayed by the checker. `progress` is called with the part of the present search that is done.
+///
+/// # Errors
+/// [`CompareError`].
+pub fn compare(curve: &Curve, options: &Options, progress: &dyn Fn(f64)) -> Result<Vec<Row>, CompareError> {
+    let chain = curve.chain();
+    let certified = certified::certify(curve, options, progress)?;
+    let polygonal = polygonal::rows(&chain, options, &certified)?;
+    let deviation = certified::deviation_rows(curve, polygonal.subdivisions)?;
+    let mut rows = polygonal.rows;
+    rows.extend(deviation);
+    rows.extend(certified.rows);
+    Ok(rows)
+}

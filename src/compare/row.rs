@@ -1,0 +1,164 @@
+//! One number of one method.
+
+use crate::number::{Rational, decimal_down, decimal_up, interval_digits, sqrt_decimal_down, sqrt_decimal_up};
+
+/// Digits of a number that stands alone.
+const DIGITS: usize = 10;
+/// At most so many digits of an interval.
+const MOST_DIGITS: usize = 17;
+
+/// What a number rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// Computed exactly or enclosed, by its definition.
+    Exact,
+    /// Computed by the formula or algorithm of the paper; as a statement about the curve it is not proved.
+    Printed,
+    /// A statement about the curve, by a theorem of the documentation.
+    Proved,
+    /// A statement about the curve that the checker accepted.
+    Certified,
+    /// Not told.
+    Undecided,
+}
+
+impl Standing {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Standing::Exact => "exact",
+            Standing::Printed => "as printed",
+            Standing::Proved => "proved",
+            Standing::Certified => "certified",
+            Standing::Undecided => "undecided",
+        }
+    }
+}
+
+/// A number, or bounds of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Value {
+    /// A whole number.
+    Count(i64),
+    /// A fraction.
+    Number(Rational),
+    /// Bounds; `None` for an upper bound that is not known.
+    Between(Rational, Option<Rational>),
+    /// Bounds of a number whose squares are given; `None` for an upper bound that is not known.
+    RootBetween(Rational, Option<Rational>),
+    /// Infinite.
+    Infinite,
+    /// None; the remark says why.
+    None,
+}
+
+impl Value {
+    /// √x of an exact square.
+    pub fn root(squared: Rational) -> Value {
+        Value::RootBetween(squared.clone(), Some(squared))
+    }
+
+    /// Decimals (lower, upper), rounded outward; "inf" for infinite ones.
+    pub fn decimals(&self) -> (Option<String>, Option<String>) {
+        match self {
+            Value::Count(count) => (Some(count.to_string()), Some(count.to_string())),
+            Value::Number(x) => (Some(decimal_down(x, DIGITS)), Some(decimal_up(x, DIGITS))),
+            Value::Between(lower, upper) => {
+                let digits = upper.as_ref().map_or(DIGITS, |upper| digits(lower, upper));
+                (
+                    Some(decimal_down(lower, digits)),
+                    upper.as_ref().map(|upper| decimal_up(upper, digits)),
+                )
+            }
+            Value::RootBetween(lower, upper) => {
+                let digits = upper.as_ref().map_or(DIGITS, |upper| digits(lower, upper));
+                (
+                    Some(sqrt_decimal_down(lower, digits)),
+                    upper.as_ref().map(|upper| sqrt_decimal_up(upper, digits)),
+                )
+            }
+            Value::Infinite => (Some("inf".into()), Some("inf".into())),
+            Value::None => (None, None),
+        }
+    }
+}
+
+/// Enough digits to tell the bounds apart, and not fewer than those of a number alone.
+fn digits(lower: &Rational, upper: &Rational) -> usize {
+    match lower == upper {
+        true => DIGITS,
+        false => interval_digits(lower, upper).clamp(DIGITS, MOST_DIGITS),
+    }
+}
+
+/// One row of a comparison.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Whose number it is: "CPJ12", "certified", ….
+    pub method: &'static str,
+    /// A name for programs, the same in every comparison: "cpj12.m1", ….
+    pub key: &'static str,
+    /// What it is a number of, for people.
+    pub quantity: String,
+    /// The number.
+    pub value: Value,
+    /// What it rests on.
+    pub standing: Standing,
+    /// What else there is to say.
+    pub remark: Option<String>,
+}
+
+impl Row {
+    /// A row without a remark.
+    pub fn new(
+        method: &'static str,
+        key: &'static str,
+        quantity: impl Into<String>,
+        value: Value,
+        standing: Standing,
+    ) -> Row {
+        Row {
+            method,
+            key,
+            quantity: quantity.into(),
+            value,
+            standing,
+            remark: None,
+        }
+    }
+
+    /// The same with a remark.
+    pub fn remark(mut self, remark: impl Into<String>) -> Row {
+        self.remark = Some(remark.into());
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimals_are_rounded_outward() {
+        let fraction = |p: i64, q: i64| Rational::new(p.into(), q.into());
+        let text = |value: Value| {
+            let (lower, upper) = value.decimals();
+            (lower.unwrap_or_default(), upper.unwrap_or_default())
+        };
+        let pair = |lower: &str, upper: &str| (lower.to_string(), upper.to_string());
+        assert_eq!(text(Value::Count(-3)), pair("-3", "-3"));
+        assert_eq!(
+            text(Value::Number(fraction(2, 3))),
+            pair("0.6666666666", "0.6666666667")
+        );
+        assert_eq!(text(Value::root(fraction(9, 4))), pair("1.5", "1.5"));
+        assert_eq!(text(Value::root(fraction(2, 1))), pair("1.414213562", "1.414213563"));
+        assert_eq!(text(Value::Between(fraction(1, 2), None)), pair("0.5", ""));
+        assert_eq!(
+            text(Value::RootBetween(fraction(1, 4), Some(fraction(2, 1)))),
+            pair("0.5", "1.414213563")
+        );
+        assert_eq!(text(Value::Infinite), pair("inf", "inf"));
+        assert_eq!(text(Value::None), pair("", ""));
+    }
+}
