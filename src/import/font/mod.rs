@@ -60,8 +60,7 @@ pub(super) fn read(bytes: &[u8], options: &Options) -> Result<Imported, ImportEr
             aliases.push(format!("U+{:04X}", u32::from(*character)));
             aliases.push(character.to_string());
         }
-        let mut contour = 0;
-        for path in contours {
+        for (contour, path) in contours.into_iter().enumerate() {
             let finished = finish(path, options).map_err(|error| fault(curve_fault(&error)))?;
             if let Some((curve, notes)) = finished {
                 curves.push(ImportedCurve {
@@ -71,7 +70,6 @@ pub(super) fn read(bytes: &[u8], options: &Options) -> Result<Imported, ImportEr
                     notes,
                 });
             }
-            contour += 1;
         }
     }
     let mut notes = Vec::new();

@@ -178,7 +178,7 @@ impl Reader<'_, '_> {
                 (vec![1; values.len()], values)
             }
             "BEZIER_CURVE" => {
-                if (points - 1) % degree != 0 {
+                if !(points - 1).is_multiple_of(degree) {
                     let message =
                         format!("found {points} control points, expected a multiple of {degree} and one more");
                     return Err(self.fault(message));
