@@ -29,11 +29,12 @@ fi
 if [ ! -d protein ]; then
     # The archive alone: pip would build it.
     url=$(python3 -c 'import json, urllib.request
-release = json.load(urllib.request.urlopen("https://pypi.org/pypi/gemmi/0.7.5/json"))
-print(next(file["url"] for file in release["urls"] if file["packagetype"] == "sdist"))')
+project = json.load(urllib.request.urlopen("https://pypi.org/pypi/gemmi/json"))
+files = project.get("releases", {}).get("0.7.5") or project["urls"]
+print(next(file["url"] for file in files if file["packagetype"] == "sdist"))')
     curl --silent --show-error --location --output gemmi.tar.gz "$url"
     mkdir protein
-    tar xzf gemmi.tar.gz --strip 2 -C protein gemmi-0.7.5/tests/1lzh.pdb.gz gemmi-0.7.5/tests/5i55.cif
+    tar xzf gemmi.tar.gz --strip 2 -C protein --wildcards 'gemmi-*/tests/1lzh.pdb.gz' 'gemmi-*/tests/5i55.cif'
     gunzip protein/1lzh.pdb.gz
 fi
 if [ ! -d step ]; then
