@@ -52,6 +52,8 @@ pub mod claim;
 #[cfg(feature = "prove")]
 pub mod compare;
 pub mod curve;
+#[cfg(feature = "import")]
+pub mod import;
 #[cfg(feature = "prove")]
 pub mod engine;
 #[cfg(feature = "prove")]

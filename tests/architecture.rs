@@ -4,10 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Modules under `src` with those each may use. What is not listed may use nothing that is.
-const MAY_USE: [(&str, &[&str]); 15] = [
+const MAY_USE: &[(&str, &[&str])] = &[
     ("number", &[]),
     ("polytope", &["number"]),
     ("curve", &["number"]),
+    ("import", &["number", "curve"]),
     ("approximation", &["number", "curve"]),
     ("motion", &["number", "curve"]),
     ("claim", &["number", "curve"]),
@@ -52,6 +53,7 @@ const MAY_USE: [(&str, &[&str]); 15] = [
         &[
             "number",
             "curve",
+            "import",
             "approximation",
             "motion",
             "claim",

@@ -17,6 +17,8 @@ use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
 use super::motion_words::{self, MotionLine};
 use super::output::{complain, say, say_json};
+#[cfg(feature = "import")]
+use super::reading::Reading;
 use super::thickness_words::{self, ThicknessLine};
 use super::values_words::{self, ValuesLine};
 use super::{Exit, Printing};
@@ -38,6 +40,9 @@ pub struct Arguments {
     /// Read the curve as `certify --snap-joints` does.
     #[arg(long, requires = "curve")]
     snap_joints: bool,
+    #[cfg(feature = "import")]
+    #[command(flatten)]
+    reading: Reading,
     #[command(flatten)]
     printing: Printing,
 }
@@ -137,7 +142,11 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let wanted = match &arguments.curve {
         None => None,
         Some(file) => {
-            let sha256 = curve_sha256(&file.read_curve(arguments.snap_joints)?.curve);
+            #[cfg(feature = "import")]
+            let (read, _) = file.read_curve_with(arguments.snap_joints, &arguments.reading)?;
+            #[cfg(not(feature = "import"))]
+            let read = file.read_curve(arguments.snap_joints)?;
+            let sha256 = curve_sha256(&read.curve);
             Some(Wanted { file, sha256 })
         }
     };

@@ -22,7 +22,7 @@ use super::{Exit, Printing};
 /// row is undecided.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1; "-" is standard input.
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
     curve: Input,
     /// δ, the tolerance of the estimate of the minimum separation distance: a positive decimal or fraction.
     #[arg(long, value_name = "TOLERANCE", default_value = "0.25", allow_hyphen_values = true, value_parser = parse_tolerance)]
@@ -36,6 +36,9 @@ pub struct Arguments {
     /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
     #[arg(long)]
     snap_joints: bool,
+    #[cfg(feature = "import")]
+    #[command(flatten)]
+    reading: super::reading::Reading,
     /// What is printed.
     #[command(flatten)]
     printing: Printing,
@@ -118,6 +121,11 @@ impl<'r> RowLine<'r> {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    #[cfg(feature = "import")]
+    let (file, _) = arguments
+        .curve
+        .read_curve_with(arguments.snap_joints, &arguments.reading)?;
+    #[cfg(not(feature = "import"))]
     let file = arguments.curve.read_curve(arguments.snap_joints)?;
     let options = Options {
         delta: arguments.delta.clone(),
