@@ -6,7 +6,7 @@ use super::error::FloatError;
 use crate::curve::Side;
 
 /// A determinant below this part of the product of the lengths of its vectors is rounding of an exact zero, or cannot be told from it.
-const NOISE: f64 = 1e-26;
+const NOISE: f64 = 1e-22;
 
 impl Curve {
     /// The curvature |c' × c''| / |c'|³, never negative, at the domain parameter `t`, from the given side where t is a knot.

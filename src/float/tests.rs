@@ -72,6 +72,16 @@ fn check(name: &str, error: f64, bound: f64) {
     assert!(error <= bound, "{name}: {error} units, at most {bound} expected");
 }
 
+/// An error in units of 2^-52·`expected`, beyond 10^-18 of the value that vectors of these lengths have when they are orthogonal.
+fn relative(error: f64, natural: f64, expected: f64) -> f64 {
+    let beyond = error - 1e-18 * natural;
+    if beyond <= 0.0 {
+        0.0
+    } else {
+        beyond / (f64::EPSILON * expected)
+    }
+}
+
 fn side(random: &mut Random) -> Side {
     if random.below(2) == 0 {
         Side::Before
@@ -133,16 +143,20 @@ proptest! {
             Err(FloatError::Irregular) => prop_assert!(speed.is_zero()),
             Err(error) => prop_assert!(matches!(error, FloatError::Range { .. }), "{error}"),
             Ok(found) => {
-                // (1 + e)² is 1 + 2e.
                 let expected = square.clone() / (&speed * &speed * &speed);
-                let error = (exact(found) * exact(found) - &expected).abs();
-                let error = if error.is_zero() { 0.0 } else { (error / expected).to_f64() / f64::EPSILON / 2.0 };
+                let natural = (dot(&all[2], &all[2]) / (&speed * &speed)).to_f64().sqrt();
+                let root = expected.to_f64().sqrt();
+                // κ − κ₀ from the difference of the squares.
+                let error = (exact(found) * exact(found) - &expected).abs().to_f64() / (found + root).max(f64::MIN_POSITIVE);
+                let error = relative(error, natural, root);
                 check("curvature", error, 2.0);
             }
         }
-        if curve.dimension() == 3 && let Ok(found) = curve.torsion(t, side) {
+        if curve.dimension() == 3 && !square.is_zero() && let Ok(found) = curve.torsion(t, side) {
+            let natural = (dot(&all[3], &all[3]) / &square).to_f64().sqrt();
             let expected = dot(&normal, &all[3]) / square;
-            check("torsion", units(&[found], &[expected]), 2.0);
+            let error = (exact(found) - &expected).abs().to_f64();
+            check("torsion", relative(error, natural, expected.abs().to_f64()), 2.0);
         }
     }
 
