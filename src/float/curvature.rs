@@ -8,6 +8,9 @@ use crate::curve::Side;
 /// A determinant below this part of the product of the lengths of its vectors is rounding of an exact zero, or cannot be told from it.
 const NOISE: f64 = 1e-22;
 
+/// First and second derivatives that are parallel up to this part of their lengths give no torsion.
+const PARALLEL: f64 = 1e-13;
+
 impl Curve {
     /// The curvature |c' × c''| / |c'|³, never negative, at the domain parameter `t`, from the given side where t is a knot.
     ///
@@ -32,7 +35,7 @@ impl Curve {
     /// The torsion det(c', c'', c''') / |c' × c''|² of a curve in space, positive for a right-handed helix, from the given side where t is a knot.
     ///
     /// # Errors
-    /// [`FloatError::Dimension`] in the plane; [`FloatError::Irregular`] where c' × c'' = 0; otherwise as for [`Curve::curvature`].
+    /// [`FloatError::Dimension`] in the plane; [`FloatError::Irregular`] where c' and c'' are parallel to 10⁻¹³; otherwise as for [`Curve::curvature`].
     pub fn torsion(&self, t: f64, side: Side) -> Result<f64, FloatError> {
         if self.dimension != 3 {
             return Err(FloatError::Dimension);
@@ -42,7 +45,7 @@ impl Curve {
         let (second, second_exponent) = unit_scaled(&all[2])?;
         let normal = cross(&first, &second);
         let square = dot(&normal, &normal);
-        if square.value() <= NOISE * NOISE * (dot(&first, &first) * dot(&second, &second)).value() {
+        if square.value() <= PARALLEL * PARALLEL * (dot(&first, &first) * dot(&second, &second)).value() {
             return Err(FloatError::Irregular);
         }
         let Some((third, third_exponent)) = scaled(&all[3]) else {
