@@ -66,11 +66,16 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     if let (Some((target, _)), Input::File(file)) = (&target, &arguments.file)
         && target.replaces(file)
     {
-        return Err(Failure::at(target.path().display(), "the picture would replace what it shows"));
+        return Err(Failure::at(
+            target.path().display(),
+            "the picture would replace what it shows",
+        ));
     }
     let mut bytes = Vec::new();
     let mut source = arguments.file.open()?;
-    source.read_to_end(&mut bytes).map_err(|error| arguments.file.unreadable(&error))?;
+    source
+        .read_to_end(&mut bytes)
+        .map_err(|error| arguments.file.unreadable(&error))?;
     let subject = match subject(&arguments.file, &bytes)? {
         Ok(subject) => subject,
         Err(reason) => {
@@ -86,7 +91,8 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         return Ok(Exit::Success);
     };
     let mut file = target.begin()?;
-    file.write_all(text.as_bytes()).map_err(|error| target.failure(&error))?;
+    file.write_all(text.as_bytes())
+        .map_err(|error| target.failure(&error))?;
     let bytes = target.finish(file)?;
     if arguments.printing.json {
         say_json(&Line {
@@ -104,7 +110,10 @@ fn form(path: &Path) -> Result<Form, Failure> {
     match path.extension().and_then(OsStr::to_str) {
         Some("svg") => Ok(Form::Svg),
         Some("html" | "htm") => Ok(Form::Html),
-        _ => Err(Failure::at(path.display(), "expected a name that ends in .svg or .html")),
+        _ => Err(Failure::at(
+            path.display(),
+            "expected a name that ends in .svg or .html",
+        )),
     }
 }
 
@@ -161,7 +170,11 @@ fn flatten(prefix: &str, value: &serde_json::Value, fields: &mut Vec<String>) {
     match value {
         serde_json::Value::Object(map) => {
             for (name, value) in map {
-                let prefix = if prefix.is_empty() { name.clone() } else { format!("{prefix}.{name}") };
+                let prefix = if prefix.is_empty() {
+                    name.clone()
+                } else {
+                    format!("{prefix}.{name}")
+                };
                 flatten(&prefix, value, fields);
             }
         }
@@ -193,7 +206,11 @@ impl Subject {
                     title: &title,
                     statement: &self.statement,
                     certificate: self.is_certificate.then_some(bytes),
-                    file_name: if self.binary { "certificate.bin" } else { "certificate.json" },
+                    file_name: if self.binary {
+                        "certificate.bin"
+                    } else {
+                        "certificate.json"
+                    },
                 },
             ),
         }

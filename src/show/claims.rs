@@ -8,8 +8,8 @@ use crate::certificate::Document;
 use crate::check::chain::Chain;
 use crate::check::cover::{Context, replay};
 use crate::check::element::{Node, Parameter};
-use crate::claim::msd::{Convention, Lower, Upper};
 use crate::claim::motion::EventSource;
+use crate::claim::msd::{Convention, Lower, Upper};
 use crate::claim::tree::{Leaf, TokenSource};
 use crate::claim::{Claim, curvature, deviation, domain, embedding, msd, thickness};
 use crate::curve::Curve;
@@ -28,7 +28,13 @@ impl Scene {
         let mut scene = Scene::of_curve(&document.curve);
         match &document.claim {
             Claim::Msd(content) => {
-                scene.leaves = leaves(&document.curve, content.statement.convention, content.evidence.grid, tokens).0;
+                scene.leaves = leaves(
+                    &document.curve,
+                    content.statement.convention,
+                    content.evidence.grid,
+                    tokens,
+                )
+                .0;
                 scene.double_normal(content);
             }
             Claim::Embedding(content) => scene.isotopic_polygon(&document.curve, content, tokens),
@@ -45,7 +51,11 @@ impl Scene {
         let Some(upper) = &content.evidence.upper else { return };
         let (s, t) = ends(upper);
         let chord = [self.point_at(s), self.point_at(t)];
-        let squared = content.statement.upper_squared.as_ref().map_or(0.0, RationalExt::to_f64);
+        let squared = content
+            .statement
+            .upper_squared
+            .as_ref()
+            .map_or(0.0, RationalExt::to_f64);
         if squared == 0.0 {
             let label = format!("the curve meets itself, at parameters {s:.6} and {t:.6}");
             self.push(Kind::Mark, Shape::Dots(vec![chord[0]]), label);
@@ -99,7 +109,11 @@ impl Scene {
             .map(|(point, vector)| [point, std::array::from_fn(|axis| point[axis] - unit * vector[axis])])
             .collect();
         let outline = lines.iter().map(|[_, end]| *end).collect();
-        self.push(Kind::Comb, Shape::Lines(lines), format!("curvature; a tooth as long as 1 stands for {:.4}", 1.0 / unit));
+        self.push(
+            Kind::Comb,
+            Shape::Lines(lines),
+            format!("curvature; a tooth as long as 1 stands for {:.4}", 1.0 / unit),
+        );
         self.push(Kind::Comb, Shape::Polyline(outline, false), "its outline".into());
     }
 
@@ -107,7 +121,11 @@ impl Scene {
         if let Lower::Finite(lower) = &content.statement.lower_squared {
             let radius = lower.to_f64().sqrt();
             let segments = self.segments.clone();
-            self.push(Kind::Pipe, Shape::Tube(segments, radius), format!("pipe of radius {radius:.6}"));
+            self.push(
+                Kind::Pipe,
+                Shape::Tube(segments, radius),
+                format!("pipe of radius {radius:.6}"),
+            );
         }
         match &content.evidence {
             thickness::Evidence::Corner { joint } => {
@@ -145,7 +163,11 @@ impl Scene {
         let label = format!("control polygon after {} subdivisions", content.statement.subdivisions);
         self.push(Kind::Polygon, Shape::Polyline(polygon, false), label);
         if let Some(chord) = chord {
-            self.push(Kind::Chord, Shape::Lines(vec![chord]), "where curve and polygon are farthest apart, as far as known".into());
+            self.push(
+                Kind::Chord,
+                Shape::Lines(vec![chord]),
+                "where curve and polygon are farthest apart, as far as known".into(),
+            );
         }
     }
 
@@ -168,8 +190,17 @@ impl Scene {
                     point_of(numbers.map(|x| Rational::new(x.clone(), denominator.clone()).to_f64()))
                 };
                 self.star(Kind::Outer, outer, &place, "no position outside keeps the sign");
-                self.star(Kind::Inner, inner, &place, &format!("every position inside keeps the sign {sign}"));
-                self.push(Kind::Mark, Shape::Dots(vec![place(center)]), "a position that keeps it".into());
+                self.star(
+                    Kind::Inner,
+                    inner,
+                    &place,
+                    &format!("every position inside keeps the sign {sign}"),
+                );
+                self.push(
+                    Kind::Mark,
+                    Shape::Dots(vec![place(center)]),
+                    "a position that keeps it".into(),
+                );
             }
             domain::Evidence::Nearest { point, .. } => mark(self, point, "nearest position that keeps the sign"),
             domain::Evidence::Ball { center, .. } => {
@@ -194,7 +225,11 @@ impl Scene {
             let angle = std::f64::consts::TAU * f64::from(i) / 120.0;
             [center[0] + radius * angle.cos(), center[1] + radius * angle.sin(), 0.0]
         });
-        self.push(Kind::Inner, Shape::Area(points.collect()), format!("ball of radius {radius:.6}"));
+        self.push(
+            Kind::Inner,
+            Shape::Area(points.collect()),
+            format!("ball of radius {radius:.6}"),
+        );
     }
 
     fn star(&mut self, kind: Kind, star: &domain::Star, place: &dyn Fn(&Vec<Integer>) -> Point, label: &str) {
@@ -273,7 +308,12 @@ fn leaves<S: TokenSource>(
         return (listed, ends);
     };
     let context = Context::new(&chain, convention, grid);
-    let range = |node: &Node| [node.start(&chain, &context.elements), node.end(&chain, &context.elements)];
+    let range = |node: &Node| {
+        [
+            node.start(&chain, &context.elements),
+            node.end(&chain, &context.elements),
+        ]
+    };
     let list = |a: &Node, b: Option<&Node>, leaf: &Leaf| {
         let (a, b) = (range(a), range(b.unwrap_or(a)));
         ends.extend(a.iter().chain(&b).copied());

@@ -108,23 +108,46 @@ pub fn html(scene: &Scene, report: &Report) -> String {
     let payload = Payload {
         dimension: scene.dimension,
         items: scene.drawn().into_iter().map(ItemLine::new).collect(),
-        segments: scene.segments.iter().map(|Segment { points, weights }| SegmentLine { points, weights }).collect(),
-        leaves: scene.leaves.iter().map(|leaf| (leaf.a, leaf.b, number(leaf.rule))).collect(),
+        segments: scene
+            .segments
+            .iter()
+            .map(|Segment { points, weights }| SegmentLine { points, weights })
+            .collect(),
+        leaves: scene
+            .leaves
+            .iter()
+            .map(|leaf| (leaf.a, leaf.b, number(leaf.rule)))
+            .collect(),
         rules: rules.clone(),
-        frames: scene.frames.iter().map(|(time, segments)| FrameLine { time: *time, line: sampled(segments) }).collect(),
+        frames: scene
+            .frames
+            .iter()
+            .map(|(time, segments)| FrameLine {
+                time: *time,
+                line: sampled(segments),
+            })
+            .collect(),
         certificate: report.certificate.map(|bytes| STANDARD.encode(bytes)),
         file_name: report.file_name,
         checker: report.certificate.map(|_| STANDARD.encode(CHECKER)),
     };
     // "</script>" must not occur inside a script element; JSON may write "<" as an escape.
-    let data = serde_json::to_string(&payload).expect("numbers and texts can be written").replace('<', "\\u003c");
-    let statement: String = report.statement.iter().map(|line| format!("<p>{}</p>\n", escape(line))).collect();
+    let data = serde_json::to_string(&payload)
+        .expect("numbers and texts can be written")
+        .replace('<', "\\u003c");
+    let statement: String = report
+        .statement
+        .iter()
+        .map(|line| format!("<p>{}</p>\n", escape(line)))
+        .collect();
     // One pass, so that nothing inside a text is taken for a place to fill in.
     let mut page = String::new();
     let mut rest = PAGE;
     while let Some((before, after)) = rest.split_once("{{") {
         page.push_str(before);
-        let Some((name, after)) = after.split_once("}}") else { break };
+        let Some((name, after)) = after.split_once("}}") else {
+            break;
+        };
         match name {
             "title" => page.push_str(&escape(report.title)),
             "style" => page.push_str(STYLE),
@@ -162,7 +185,10 @@ mod tests {
         assert_eq!(page.matches("</script>").count(), page.matches("<script").count());
         assert!(page.contains("σ² = 1/3 &amp; more {{data}}"));
         assert!(page.contains(&STANDARD.encode(b"KNOTCRT1 not really")));
-        assert!(!page.contains("http://") && !page.contains("https://"), "no address outside");
+        assert!(
+            !page.contains("http://") && !page.contains("https://"),
+            "no address outside"
+        );
         assert!(page.len() < 1_500_000, "{}", page.len());
     }
 }

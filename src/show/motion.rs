@@ -52,7 +52,11 @@ impl Scene {
         let drawn: Vec<(f64, Vec<Segment>)> = {
             let stride = (self.frames.len() as u64).div_ceil(DRAWN).max(1) as usize;
             let last = self.frames.len().saturating_sub(1);
-            let chosen = self.frames.iter().enumerate().filter(|(i, _)| (last - i).is_multiple_of(stride));
+            let chosen = self
+                .frames
+                .iter()
+                .enumerate()
+                .filter(|(i, _)| (last - i).is_multiple_of(stride));
             chosen.map(|(_, frame)| frame.clone()).collect()
         };
         for (time, segments) in drawn {
@@ -92,7 +96,9 @@ impl Scene {
             // The frame before a meeting is needed too.
             let needed = listed
                 || !meets.is_empty()
-                || TrackKind::BOTH.iter().any(|kind| step_of(statement.track(*kind)) == Some(number));
+                || TrackKind::BOTH
+                    .iter()
+                    .any(|kind| step_of(statement.track(*kind)) == Some(number));
             if !needed {
                 continue;
             }
@@ -132,7 +138,11 @@ impl Scene {
             }
         };
         let what = kind.name();
-        self.push(Kind::Mark, Shape::Dots(vec![point]), format!("here the {what} meets itself, at time {time:.6}"));
+        self.push(
+            Kind::Mark,
+            Shape::Dots(vec![point]),
+            format!("here the {what} meets itself, at time {time:.6}"),
+        );
     }
 }
 

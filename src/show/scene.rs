@@ -182,7 +182,9 @@ impl Scene {
         let points: Vec<Point> = self.segments.iter().flat_map(|segment| segment.samples(9)).collect();
         let side = |axis: usize| {
             let values = points.iter().map(|point| point[axis]);
-            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+                (low.min(x), high.max(x))
+            });
             high - low
         };
         length(&[side(0), side(1), side(2)])
@@ -201,7 +203,11 @@ impl Scene {
     pub fn locate(&self, parameter: f64) -> (usize, f64) {
         let last = self.segments.len() - 1;
         let count = self.segments.len() as f64;
-        let parameter = if parameter > count { parameter - count } else { parameter };
+        let parameter = if parameter > count {
+            parameter - count
+        } else {
+            parameter
+        };
         let piece = (parameter.floor().max(0.0) as usize).min(last);
         (piece, (parameter - piece as f64).clamp(0.0, 1.0))
     }

@@ -100,7 +100,13 @@ pub fn svg(scene: &Scene, picture: &Picture) -> String {
     let mut below = top + tallest + 44.0;
     let mut body = String::new();
     for (i, line) in title.iter().enumerate() {
-        text(&mut body, "title", [MARGIN, MARGIN + 12.0 + LINE * i as f64], "start", line);
+        text(
+            &mut body,
+            "title",
+            [MARGIN, MARGIN + 12.0 + LINE * i as f64],
+            "start",
+            line,
+        );
     }
     for panel in &panels {
         draw_panel(&mut body, scene, panel);
@@ -190,13 +196,25 @@ fn axes(out: &mut String, panel: &Panel) {
         for value in values {
             let x = left + (value - panel.low[0]) * panel.scale;
             line(out, "axis", [x, bottom], [x, bottom + 4.0]);
-            text(out, "tick", [x, bottom + 16.0], "middle", &format!("{value:.decimals$}"));
+            text(
+                out,
+                "tick",
+                [x, bottom + 16.0],
+                "middle",
+                &format!("{value:.decimals$}"),
+            );
         }
         let (values, decimals) = ticks(panel.low[1], panel.high[1], fit(tall, 40.0));
         for value in values {
             let y = top + (panel.high[1] - value) * panel.scale;
             line(out, "axis", [left - 4.0, y], [left, y]);
-            text(out, "tick", [left - 7.0, y + 4.0], "end", &format!("{value:.decimals$}"));
+            text(
+                out,
+                "tick",
+                [left - 7.0, y + 4.0],
+                "end",
+                &format!("{value:.decimals$}"),
+            );
         }
     }
     let name = match panel.view.axes {
@@ -229,7 +247,10 @@ fn draw(out: &mut String, item: &Item, panel: &Panel) {
         Shape::Polyline(points, closed) => {
             let element = if *closed { "polygon" } else { "polyline" };
             let places = places(points, panel);
-            let _ = writeln!(out, "<{element} class=\"{class}\" style=\"fill:none\" points=\"{places}\"/>");
+            let _ = writeln!(
+                out,
+                "<{element} class=\"{class}\" style=\"fill:none\" points=\"{places}\"/>"
+            );
         }
         Shape::Area(points) => {
             let _ = writeln!(out, "<polygon class=\"{class}\" points=\"{}\"/>", places(points, panel));
@@ -401,7 +422,11 @@ mod tests {
         assert_eq!(text, drawing(View::usual(3)));
         assert!(text.contains("A &lt;curve&gt; &amp; &quot;more&quot;"));
         assert!(text.contains("σ² = 1/3"));
-        assert_eq!(text.matches("<path class=\"curve\"").count(), 4, "three panels and the legend");
+        assert_eq!(
+            text.matches("<path class=\"curve\"").count(),
+            4,
+            "three panels and the legend"
+        );
         assert!(!text.contains("NaN") && !text.contains("inf"));
     }
 
@@ -415,7 +440,10 @@ mod tests {
 
     #[test]
     fn long_words_are_broken() {
-        assert_eq!(wrapped("ab cdefghijklmnopqrs t", 8), ["ab", "cdefghij", "klmnopqr", "s t"]);
+        assert_eq!(
+            wrapped("ab cdefghijklmnopqrs t", 8),
+            ["ab", "cdefghij", "klmnopqr", "s t"]
+        );
         assert_eq!(wrapped("", 8), [""]);
     }
 }

@@ -60,7 +60,11 @@ impl View {
             return None;
         }
         let eye = eye.map(|x| x / size);
-        let pole = if eye[2].abs() > 0.999 { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] };
+        let pole = if eye[2].abs() > 0.999 {
+            [0.0, 1.0, 0.0]
+        } else {
+            [0.0, 0.0, 1.0]
+        };
         let right = cross(&pole, &eye);
         let size = length(&right);
         let right = right.map(|x| x / size);

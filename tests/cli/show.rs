@@ -15,7 +15,11 @@ fn drawings_and_reports_are_whole_and_the_same_each_time() {
     let told = run(["show", MP06, "-o", text(&svg)]).expect(0).out;
     assert!(told.contains("a.svg: "), "{told}");
     let drawing = fs::read_to_string(&svg).unwrap();
-    assert_eq!(drawing, run(["show", MP06]).expect(0).out, "standard output has the same drawing");
+    assert_eq!(
+        drawing,
+        run(["show", MP06]).expect(0).out,
+        "standard output has the same drawing"
+    );
     for part in [
         "<svg ",
         "x to the right, y up",
@@ -27,8 +31,13 @@ fn drawings_and_reports_are_whole_and_the_same_each_time() {
     ] {
         assert!(drawing.contains(part), "{part:?} is not in the drawing");
     }
-    let one = run(["show", MP06, "--view", "1,-2,1", "--title", "A & B"]).expect(0).out;
-    assert!(one.contains("A &amp; B") && one.contains("seen from (0.41, -0.82, 0.41)"), "{one}");
+    let one = run(["show", MP06, "--view", "1,-2,1", "--title", "A & B"])
+        .expect(0)
+        .out;
+    assert!(
+        one.contains("A &amp; B") && one.contains("seen from (0.41, -0.82, 0.41)"),
+        "{one}"
+    );
 
     let line = run(["show", MP06, "-o", text(&html), "--json"]).expect(0).json();
     let report = fs::read_to_string(&html).unwrap();
@@ -43,9 +52,18 @@ fn drawings_and_reports_are_whole_and_the_same_each_time() {
 fn every_claim_and_bare_curves_are_drawn() {
     for (file, part) in [
         ("certs/curves/nurbs-circle.json", "curve, 4 pieces"),
-        ("certs/accept/proved/mp06-figure-1-embedding.json", "isotopic polygon, 10 edges"),
-        ("certs/accept/proved/domain-cubic.json", "every position inside keeps the sign"),
-        ("certs/accept/proved/domain-quintic-spatial.cert", "no position outside keeps the sign"),
+        (
+            "certs/accept/proved/mp06-figure-1-embedding.json",
+            "isotopic polygon, 10 edges",
+        ),
+        (
+            "certs/accept/proved/domain-cubic.json",
+            "every position inside keeps the sign",
+        ),
+        (
+            "certs/accept/proved/domain-quintic-spatial.cert",
+            "no position outside keeps the sign",
+        ),
         ("certs/accept/proved/domain-cubic-ball.json", "ball of radius"),
         ("certs/accept/curvature/circle.json", "greatest curvature known"),
         ("certs/accept/thickness/circle.json", "pipe of radius"),
@@ -66,7 +84,10 @@ fn what_is_rejected_is_not_drawn() {
     let certificate = fs::read_to_string(MP06).unwrap();
     fs::write(&bad, certificate.replacen("\"cone ", "\"cone 7", 1)).unwrap();
     let told = run(["show", text(&bad), "-o", text(&picture)]).expect(1).out;
-    assert!(told.contains("rejected: ") && told.contains("nothing is drawn"), "{told}");
+    assert!(
+        told.contains("rejected: ") && told.contains("nothing is drawn"),
+        "{told}"
+    );
     assert!(!picture.exists());
 }
 
@@ -76,7 +97,10 @@ fn wrong_usage() {
     run(["show", MP06, "--json"]).expect_error(&["-o"]);
     run(["show", "nowhere.json"]).expect_error(&["nowhere.json"]);
     let wrong = run(["show", MP06, "--view", "up"]);
-    assert!(wrong.code == 2 && wrong.err.contains("direction towards the eye"), "{wrong:?}");
+    assert!(
+        wrong.code == 2 && wrong.err.contains("direction towards the eye"),
+        "{wrong:?}"
+    );
     let folder = TempDir::new().expect("a folder");
     let own = folder.path().join("own.svg");
     fs::copy(MP06, &own).unwrap();

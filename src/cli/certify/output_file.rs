@@ -9,9 +9,9 @@ use knotproof::claim::AsClaim;
 use knotproof::prove::domain::{CertifyError, write_checked};
 use tempfile::{NamedTempFile, SpooledTempFile};
 
-use crate::cli::atomic_file::AtomicFile;
 use super::report::Written;
 use crate::cli::Printing;
+use crate::cli::atomic_file::AtomicFile;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 
