@@ -18,6 +18,7 @@ use super::input::{Input, Noting, standard_input_once};
 use super::motion_words::{self, MotionLine};
 use super::output::{complain, say, say_json};
 use super::thickness_words::{self, ThicknessLine};
+use super::values_words::{self, ValuesLine};
 use super::{Exit, Printing};
 
 /// Check certificates: replay their evidence in exact arithmetic
@@ -119,6 +120,12 @@ pub enum StatementLine {
     Motion {
         #[serde(flatten)]
         line: Box<MotionLine>,
+        #[serde(skip)]
+        words: String,
+    },
+    Values {
+        #[serde(flatten)]
+        line: ValuesLine,
         #[serde(skip)]
         words: String,
     },
@@ -229,6 +236,10 @@ pub fn statement(document: &Document) -> StatementLine {
             line: EmbeddingLine::new(&content.statement),
             words: embedding_words::in_words(&content.statement),
         },
+        Claim::Values(content) => StatementLine::Values {
+            line: ValuesLine::new(&content.statement),
+            words: values_words::in_words(&content.statement),
+        },
     }
 }
 
@@ -263,8 +274,10 @@ fn hexadecimal(bytes: &[u8]) -> String {
     })
 }
 
+#[cfg(feature = "prove")]
 impl StatementLine {
     /// The statement in words.
+    #[cfg(feature = "prove")]
     pub fn words(&self) -> &str {
         match self {
             StatementLine::Msd { words, .. }
@@ -272,8 +285,9 @@ impl StatementLine {
             | StatementLine::Deviation { words, .. }
             | StatementLine::Thickness { words, .. }
             | StatementLine::Curvature { words, .. }
-            | StatementLine::Motion { words, .. }
-            | StatementLine::Embedding { words, .. } => words,
+            | StatementLine::Embedding { words, .. }
+            | StatementLine::Values { words, .. }
+            | StatementLine::Motion { words, .. } => words,
         }
     }
 }
@@ -305,6 +319,7 @@ impl Outcome {
                     ),
                     StatementLine::Domain { words, .. }
                     | StatementLine::Deviation { words, .. }
+                    | StatementLine::Values { words, .. }
                     | StatementLine::Curvature { words, .. } => {
                         format!("accepted: {input}: {words} (curve {curve}…)\n")
                     }

@@ -4,6 +4,8 @@
 mod atomic_file;
 mod bounds;
 #[cfg(feature = "prove")]
+mod cases;
+#[cfg(feature = "prove")]
 mod certify;
 mod check;
 #[cfg(feature = "prove")]
@@ -19,6 +21,9 @@ mod output;
 #[cfg(feature = "prove")]
 mod show;
 mod thickness_words;
+#[cfg(feature = "prove")]
+mod validate;
+mod values_words;
 
 use std::process::ExitCode;
 
@@ -45,6 +50,10 @@ enum Command {
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "prove")]
+    Validate(validate::Arguments),
+    #[cfg(feature = "prove")]
+    Cases(cases::Arguments),
     #[cfg(feature = "prove")]
     Show(show::Arguments),
     #[cfg(feature = "prove")]
@@ -94,6 +103,10 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "prove")]
         Command::Certify(arguments) => certify::run(arguments),
         Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Validate(arguments) => validate::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Cases(arguments) => cases::run(&arguments),
         #[cfg(feature = "prove")]
         Command::Show(arguments) => show::run(&arguments),
         #[cfg(feature = "prove")]

@@ -8,10 +8,10 @@ use crate::certificate::Document;
 use crate::check::chain::Chain;
 use crate::check::cover::{Context, replay};
 use crate::check::element::{Node, Parameter};
-use crate::claim::motion::Contact;
-use crate::claim::msd::{Convention, Interval, Lower, Upper};
+use crate::claim::motion::EventSource;
+use crate::claim::msd::{Convention, Lower, Upper};
 use crate::claim::tree::{Leaf, TokenSource};
-use crate::claim::{Claim, curvature, deviation, domain, embedding, motion, msd, thickness};
+use crate::claim::{Claim, curvature, deviation, domain, embedding, msd, thickness};
 use crate::curve::Curve;
 use crate::number::{Integer, Rational, RationalExt};
 
@@ -21,10 +21,10 @@ const MOST_LEAVES: usize = 50_000;
 const COMB: [usize; 2] = [3_000, 24];
 
 impl Scene {
-    /// The curve of a certificate, with what its claim is about. `tokens` are those of its tree, if it has one.
+    /// The curve of a certificate, with what its claim is about. `tokens` are those of its tree, or the events, if it has any.
     ///
     /// The certificate is taken at its word: check it first.
-    pub fn of_certificate<S: TokenSource>(document: &Document, tokens: &mut S) -> Scene {
+    pub fn of_certificate<S: EventSource>(document: &Document, tokens: &mut S) -> Scene {
         let mut scene = Scene::of_curve(&document.curve);
         match &document.claim {
             Claim::Msd(content) => {
@@ -42,7 +42,8 @@ impl Scene {
             Claim::Thickness(content) => scene.pipe(&document.curve, content, tokens),
             Claim::Deviation(content) => scene.deviation(content),
             Claim::Domain(content) => scene.domain(content),
-            Claim::Motion(content) => scene.meeting(content),
+            Claim::Motion(content) => scene.motion(&document.curve, content, tokens),
+            Claim::Values(content) => scene.values(&document.curve, content),
         }
         scene
     }
@@ -64,35 +65,6 @@ impl Scene {
         let label = format!("shortest double normal known, at parameters {s:.6} and {t:.6}");
         self.push(Kind::Chord, Shape::Lines(vec![chord]), label);
         self.push(Kind::Mark, Shape::Dots(chord.to_vec()), "its ends".into());
-    }
-
-    /// The points of a moving curve that meet, where they are at time 0.
-    fn meeting(&mut self, content: &motion::Content) {
-        let Some(contact) = &content.evidence.curve_contact else {
-            return;
-        };
-        let middle = |interval: &Interval| (interval.start.to_f64() + interval.end.to_f64()) / 2.0;
-        let (time, s, t) = match contact {
-            Contact::Touch { time, s, t } => (time, s.to_f64(), t.to_f64()),
-            Contact::Crossing { time, s, t, .. } => (time, middle(s), middle(t)),
-            Contact::Passage { times, s, t, .. } => (&times[1], middle(s), middle(t)),
-        };
-        let count = self.segments.len() as f64;
-        let chord = [s, t].map(|parameter| {
-            self.point_at(if parameter > count {
-                parameter - count
-            } else {
-                parameter
-            })
-        });
-        let time = time.to_f64();
-        let label = format!("the points at parameters {s:.6} and {t:.6}, here at time 0, meet by time {time:.6}");
-        self.push(Kind::Chord, Shape::Lines(vec![chord]), label);
-        self.push(
-            Kind::Mark,
-            Shape::Dots(chord.to_vec()),
-            "the two points at time 0".into(),
-        );
     }
 
     fn isotopic_polygon<S: TokenSource>(&mut self, curve: &Curve, content: &embedding::Content, tokens: &mut S) {

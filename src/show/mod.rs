@@ -7,10 +7,12 @@
 
 mod claims;
 mod html;
+mod motion;
 mod scene;
 mod segment;
 mod svg;
 mod ticks;
+mod values;
 mod view;
 
 pub use html::{Report, html};

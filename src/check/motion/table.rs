@@ -68,6 +68,8 @@ struct Monotone {
     seen: u32,
     a: Node,
     b: Option<Node>,
+    /// The numbers of the nodes among the parts, where they are parts whose hull points are not control points as they are.
+    parts: [Option<u32>; 2],
 }
 
 /// Where a leaf is.
@@ -304,7 +306,15 @@ impl<'c> Table<'c> {
                 self.separate.push(record);
             }
             (Leaf::Monotone(n), b) => {
+                let mut parts = [None; 2];
+                for (node, part) in std::iter::once(a).chain(b).zip(&mut parts) {
+                    self.prepare(positions, &node);
+                    if let Node::Part { piece, depth, index } = node {
+                        *part = self.parts.find((piece, depth, index)).map(|part| part as u32);
+                    }
+                }
                 let record = Monotone {
+                    parts,
                     direction: Direction::new(n),
                     rows: self.rows(&a, b.as_ref()),
                     number,
@@ -312,9 +322,6 @@ impl<'c> Table<'c> {
                     a,
                     b,
                 };
-                for node in std::iter::once(a).chain(b) {
-                    self.prepare(positions, &node);
-                }
                 if !self.holds_forward(&record, positions) {
                     return obligation::not_forward();
                 }
@@ -554,10 +561,7 @@ impl<'c> Table<'c> {
     fn points(&self, number: Number, positions: &Positions) -> Points<'_> {
         let number = number as usize;
         match number.checked_sub(self.runs.count()) {
-            Some(part) => {
-                let part = self.parts.get(part);
-                Points::Part(&part.rows, part.known())
-            }
+            Some(part) => self.parts.points(part),
             None => {
                 let span = self.runs.span(number);
                 let (first, last) = (
@@ -574,22 +578,48 @@ impl<'c> Table<'c> {
     }
 
     fn holds_apart(&self, leaf: &Separate, positions: &Positions) -> bool {
+        self.apart_in_64_bits(leaf, positions).unwrap_or_else(|| {
+            let [a, b] = [leaf.a, leaf.b].map(|node| self.points(node, positions));
+            separated(a, b, positions, &leaf.direction.exact())
+        })
+    }
+
+    /// Whether a leaf `separate` holds, if that can be seen in 64 bits.
+    fn apart_in_64_bits(&self, leaf: &Separate, positions: &Positions) -> Option<bool> {
         let runs = self.runs.count();
-        if (leaf.a as usize) < runs && (leaf.b as usize) < runs && self.short(&leaf.direction, positions) {
+        let points = positions.narrow()?;
+        // The bits that weights may have.
+        let room = 62u32.checked_sub(u32::from(leaf.direction.bits) + positions.bits() + 1)?;
+        let n = &leaf.direction.n;
+        if (leaf.a as usize) < runs && (leaf.b as usize) < runs {
             // The box of a piece contains its control points, so that this is enough.
             let (a, b) = (self.runs.bounds(leaf.a as usize), self.runs.bounds(leaf.b as usize));
-            let n = &leaf.direction.n;
             let gap = |axis: usize| n[axis] * (a[leaf.corners.0[axis] as usize] - b[leaf.corners.1[axis] as usize]);
             if gap(0) + gap(1) + gap(2) > 0 {
-                return true;
+                return Some(true);
             }
         }
-        separated(
-            self.points(leaf.a, positions),
-            self.points(leaf.b, positions),
-            positions,
-            &leaf.direction.exact(),
-        )
+        // The least or greatest n·p of a node times its weight, the weight, and the bits of that.
+        let extreme = |number: Number, corners: &[u8; 3], greatest: bool| {
+            let number = number as usize;
+            if let Some(part) = number.checked_sub(runs) {
+                let known = self.parts.known(part)?;
+                let bits = known.weight_bits();
+                return (bits <= room).then(|| (best_product(known.points, n, greatest), known.weight, bits));
+            }
+            let span = self.runs.span(number);
+            if span.len() == 1 {
+                let piece = &self.shape.pieces[span.start];
+                let points = &points[piece.first..=piece.last];
+                return Some((best_product(points, n, greatest), 1, 1));
+            }
+            let bounds = self.runs.bounds(number);
+            let corner = corners.map(|i| bounds[i as usize]);
+            Some((product(&corner, n), 1, 1))
+        };
+        let (low, weight_a, bits_a) = extreme(leaf.a, &leaf.corners.0, false)?;
+        let (high, weight_b, bits_b) = extreme(leaf.b, &leaf.corners.1, true)?;
+        (bits_a + bits_b <= room).then(|| low * weight_b > high * weight_a)
     }
 
     fn holds_forward(&self, leaf: &Monotone, positions: &Positions) -> bool {
@@ -603,33 +633,30 @@ impl<'c> Table<'c> {
         {
             return true;
         }
-        std::iter::once(&leaf.a).chain(&leaf.b).all(|node| match *node {
-            Node::Part {
-                piece,
-                depth: depth @ 1..,
-                index,
-            } => {
-                let part = self.parts.find((piece, depth, index)).map(|part| self.parts.get(part));
-                part.is_some_and(|part| {
-                    goes(
-                        Points::Part(&part.rows, part.known()),
-                        positions,
-                        &leaf.direction.exact(),
-                    )
-                })
-            }
+        let nodes = std::iter::once(&leaf.a).chain(&leaf.b).zip(leaf.parts);
+        nodes.into_iter().all(|(node, part)| match (part, node) {
+            (Some(part), _) => self.part_goes(&leaf.direction, part as usize, positions),
             _ => node
                 .pieces()
                 .all(|piece| self.piece_goes(&leaf.direction, piece, positions)),
         })
     }
 
+    fn part_goes(&self, direction: &Direction, part: usize, positions: &Positions) -> bool {
+        if let Some(known) = self.parts.known(part)
+            && u32::from(direction.bits) + positions.bits() + known.weight_bits() < 62
+            && increases(known.points, &direction.n)
+        {
+            return true;
+        }
+        goes(self.parts.points(part), positions, &direction.exact())
+    }
+
     fn piece_goes(&self, direction: &Direction, piece: usize, positions: &Positions) -> bool {
         let shape = &self.shape.pieces[piece];
         if !shape.direct {
-            let part = self.parts.find((piece, 0, 0)).map(|part| self.parts.get(part));
-            return part
-                .is_some_and(|part| goes(Points::Part(&part.rows, part.known()), positions, &direction.exact()));
+            let part = self.parts.find((piece, 0, 0));
+            return part.is_some_and(|part| self.part_goes(direction, part, positions));
         }
         if self.short(direction, positions)
             && let Some(points) = positions.narrow()
@@ -641,13 +668,30 @@ impl<'c> Table<'c> {
     }
 }
 
+/// n·p.
+#[inline]
+fn product(p: &[i64; 3], n: &[i64; 3]) -> i64 {
+    p[0] * n[0] + p[1] * n[1] + p[2] * n[2]
+}
+
+/// The least or the greatest n·p. All products are known to fit.
+#[inline]
+fn best_product(points: &[[i64; 3]], n: &[i64; 3], greatest: bool) -> i64 {
+    let mut best = product(&points[0], n);
+    for point in &points[1..] {
+        let value = product(point, n);
+        best = if greatest { best.max(value) } else { best.min(value) };
+    }
+    best
+}
+
 /// Does n·P increase strictly along the points? All products are known to fit.
+#[inline]
 fn increases(points: &[[i64; 3]], n: &[i64; 3]) -> bool {
-    let product = |p: &[i64; 3]| p[0] * n[0] + p[1] * n[1] + p[2] * n[2];
-    let mut before = product(&points[0]);
+    let mut before = product(&points[0], n);
     let mut holds = true;
     for point in &points[1..] {
-        let here = product(point);
+        let here = product(point, n);
         holds &= here > before;
         before = here;
     }
