@@ -117,6 +117,7 @@ fn every_rule_is_on_both_sides() {
         "separate",
         "monotone",
         "embedding",
+        "motion",
         "values",
     ] {
         for verdict in ["accept", "reject"] {
