@@ -52,12 +52,12 @@ pub mod claim;
 #[cfg(feature = "prove")]
 pub mod compare;
 pub mod curve;
-#[cfg(feature = "import")]
-pub mod import;
 #[cfg(feature = "prove")]
 pub mod engine;
 #[cfg(feature = "prove")]
 pub mod float;
+#[cfg(feature = "import")]
+pub mod import;
 #[cfg(feature = "prove")]
 pub mod motion;
 pub mod number;
