@@ -101,7 +101,7 @@ pub struct TreeError {
     /// Second node of the pair; the first one again if it is a pair of one node.
     pub b: Node,
     /// What is wrong.
-    pub reason: Reason,
+    pub reason: Box<Reason>,
 }
 
 /// The leaves of a track.
@@ -246,7 +246,7 @@ impl<'c> Table<'c> {
                 token,
                 a,
                 b: b.unwrap_or(a),
-                reason,
+                reason: Box::new(reason),
             };
             let next = match tokens.next_token() {
                 Ok(Some(next)) => next,
