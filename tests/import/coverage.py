@@ -9,7 +9,7 @@ import sys
 import tempfile
 import time
 
-PROGRAM, PARALLEL = sys.argv[1], int(sys.argv[2])
+PROGRAM, PARALLEL, EVERY = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
 REAL = pathlib.Path("tests/import/real")
 WIDTH = "1e-9"
 SECONDS = 60
@@ -69,6 +69,9 @@ def main():
     font = REAL / "font/DejaVuSans.ttf"
     sets = [("feather-icons", feather, None), (f"{ICONS} simple-icons", simple, None)]
     sets.append((f"{GLYPHS} glyphs of DejaVu Sans", [font], glyphs(font)))
+    if EVERY > 1:
+        thin = lambda title, files, names: (f"{title}, every {EVERY}th", files if names else files[::EVERY], names and names[::EVERY])
+        sets = [thin(*each) for each in sets]
     rows, remaining = [], []
     totals = collections.Counter()
     for title, files, names in sets:

@@ -209,7 +209,7 @@ impl<'c, S: EventSource> Replay<'c, S> {
             };
             return Err(Rejection {
                 place,
-                reason: error.reason,
+                reason: *error.reason,
             });
         }
         if self.events.tokens_left() {
