@@ -56,6 +56,10 @@ pub mod curve;
 pub mod engine;
 #[cfg(feature = "prove")]
 pub mod float;
+#[cfg(feature = "import")]
+pub mod import;
+#[cfg(feature = "prove")]
+pub mod motion;
 pub mod number;
 #[cfg(feature = "prove")]
 pub mod polytope;

@@ -4,11 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// Modules under `src` with those each may use. What is not listed may use nothing that is.
-const MAY_USE: [(&str, &[&str]); 15] = [
+const MAY_USE: &[(&str, &[&str])] = &[
     ("number", &[]),
     ("polytope", &["number"]),
     ("curve", &["number"]),
+    ("import", &["number", "curve"]),
     ("approximation", &["number", "curve"]),
+    ("motion", &["number", "curve"]),
     ("claim", &["number", "curve"]),
     ("certificate", &["number", "curve", "claim"]),
     ("check", &["number", "curve", "claim", "certificate"]),
@@ -21,6 +23,7 @@ const MAY_USE: [(&str, &[&str]); 15] = [
             "polytope",
             "curve",
             "approximation",
+            "motion",
             "claim",
             "certificate",
             "check",
@@ -50,7 +53,9 @@ const MAY_USE: [(&str, &[&str]); 15] = [
         &[
             "number",
             "curve",
+            "import",
             "approximation",
+            "motion",
             "claim",
             "certificate",
             "check",

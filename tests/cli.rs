@@ -25,6 +25,12 @@ mod domain;
 mod embedding;
 #[path = "cli/help.rs"]
 mod help;
+#[cfg(all(feature = "import", feature = "prove"))]
+#[path = "cli/import.rs"]
+mod import;
+#[cfg(feature = "prove")]
+#[path = "cli/motion.rs"]
+mod motion;
 #[path = "cli/run.rs"]
 mod run;
 #[cfg(feature = "prove")]

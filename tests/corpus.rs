@@ -118,6 +118,7 @@ fn every_rule_is_on_both_sides() {
         "monotone",
         "embedding",
         "values",
+        "motion",
     ] {
         for verdict in ["accept", "reject"] {
             assert!(!files(&certs().join(verdict).join(rule)).is_empty(), "{verdict}/{rule}");

@@ -6,17 +6,20 @@ mod binary;
 mod block;
 mod bytes;
 mod json;
+mod motion_hash;
 
 use std::borrow::Cow;
 use std::fmt;
 use std::io::{self, Read, Write};
 
+use crate::claim::motion::{Event, EventSource};
 use crate::claim::tree::{BinaryTokens, Token, TokenError, TokenSource, parse_token};
 use crate::claim::{AsClaim, Claim, ClaimRef};
 use crate::curve::Curve;
 use bytes::ByteSource;
 
 pub use block::curve_sha256;
+pub use motion_hash::MotionHash;
 
 /// Which of the two forms a certificate is written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -109,10 +112,16 @@ impl From<TokenError> for FormatError {
     }
 }
 
-/// The tree of a certificate that is being read.
+/// The tree, or the events, of a certificate that is being read.
 pub enum Tokens<R> {
     /// Tokens as texts, already in memory.
     Json(std::vec::IntoIter<String>, usize),
+    /// Events, already in memory, and the tokens of the present one as texts.
+    Events(
+        std::vec::IntoIter<(Event, Vec<String>)>,
+        std::vec::IntoIter<String>,
+        usize,
+    ),
     /// Tokens still in the file.
     Binary(BinaryTokens<ByteSource<R>>),
 }
@@ -121,7 +130,28 @@ impl<R: Read> TokenSource for Tokens<R> {
     fn next_token(&mut self) -> Result<Option<Token>, TokenError> {
         match self {
             Tokens::Json(texts, dimension) => texts.next().map(|text| parse_token(&text, *dimension)).transpose(),
+            Tokens::Events(_, texts, dimension) => texts.next().map(|text| parse_token(&text, *dimension)).transpose(),
             Tokens::Binary(tokens) => tokens.next_token(),
+        }
+    }
+}
+
+impl<R: Read> EventSource for Tokens<R> {
+    fn next_event(&mut self) -> Result<Option<Event>, TokenError> {
+        match self {
+            Tokens::Json(..) => Err(TokenError::Malformed("a token in place of an event".into())),
+            Tokens::Events(events, tokens, _) => Ok(events.next().map(|(event, texts)| {
+                *tokens = texts.into_iter();
+                event
+            })),
+            Tokens::Binary(tokens) => tokens.next_event(),
+        }
+    }
+
+    fn tokens_left(&self) -> bool {
+        match self {
+            Tokens::Json(texts, _) | Tokens::Events(_, texts, _) => texts.len() > 0,
+            Tokens::Binary(tokens) => tokens.tokens_left(),
         }
     }
 }
@@ -147,7 +177,11 @@ pub fn read<R: Read>(mut source: R) -> Result<(Document<'static>, Tokens<R>), Fo
     }
     let (document, texts) = json::read(&text)?;
     let dimension = document.curve.dimension();
-    Ok((document, Tokens::Json(texts.into_iter(), dimension)))
+    let tokens = match texts {
+        json::Texts::Tokens(texts) => Tokens::Json(texts.into_iter(), dimension),
+        json::Texts::Events(events) => Tokens::Events(events.into_iter(), Vec::new().into_iter(), dimension),
+    };
+    Ok((document, tokens))
 }
 
 impl<C: AsClaim> Document<'_, C> {
@@ -155,13 +189,13 @@ impl<C: AsClaim> Document<'_, C> {
         match self.claim.as_claim() {
             ClaimRef::Msd(content) => content.has_tree,
             ClaimRef::Domain(_) | ClaimRef::Curvature(_) | ClaimRef::Deviation(_) | ClaimRef::Values(_) => false,
-            ClaimRef::Embedding(_) => true,
+            ClaimRef::Embedding(_) | ClaimRef::Motion(_) => true,
             ClaimRef::Thickness(content) => content.has_tree(),
         }
     }
 }
 
-/// Writes a certificate; `tree` holds its tokens in their binary spelling, and is not read if the document has no tree.
+/// Writes a certificate; `tree` holds its tokens, or its events, in their binary spelling, and is not read if the document has neither.
 ///
 /// # Errors
 /// Those of `tree` and `out`; in the binary form, a header above 16 MiB.

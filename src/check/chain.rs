@@ -133,6 +133,15 @@ pub struct Chain {
 impl Chain {
     /// The chain of a curve, or the number of the first piece whose field D vanishes identically.
     pub fn new(curve: &Curve) -> Result<Self, usize> {
+        let (chain, point) = Chain::with_points(curve);
+        match point {
+            None => Ok(chain),
+            Some(piece) => Err(piece),
+        }
+    }
+
+    /// The chain of a curve, which may have pieces that are points, and the number of the first such piece.
+    pub fn with_points(curve: &Curve) -> (Self, Option<usize>) {
         let mut chain = Chain {
             dimension: curve.dimension(),
             pieces: Vec::new(),
@@ -141,23 +150,26 @@ impl Chain {
             wide: Storage::default(),
             large: Storage::default(),
         };
+        let mut point = None;
         match curve.form() {
             Form::Bezier(pieces) => {
                 let (count, size) = (pieces.len(), pieces.iter().map(|piece| 2 * piece.degree() + 1).sum());
                 chain.pieces.reserve_exact(count);
                 chain.narrow.vectors.reserve(size);
                 for piece in pieces {
-                    chain.push_bezier(piece)?;
+                    let pushed = chain.push_bezier(piece);
+                    point = point.or(pushed.err());
                 }
             }
             Form::BSpline(spline) => {
                 for (values, has_weights) in blossom_pieces(spline, chain.dimension) {
-                    chain.push_homogeneous(&values, has_weights)?;
+                    let pushed = chain.push_homogeneous(&values, has_weights);
+                    point = point.or(pushed.err());
                 }
             }
         }
         chain.closed = chain.ends_coincide();
-        Ok(chain)
+        (chain, point)
     }
 
     /// Number of pieces M.

@@ -12,6 +12,7 @@ pub mod domain;
 pub mod element;
 pub mod embedding;
 pub mod hull;
+pub mod motion;
 mod msd;
 pub mod part;
 pub mod polynomial;
@@ -66,6 +67,36 @@ pub enum Place {
         /// Number of the token, from 0.
         number: u64,
     },
+    /// An event of a motion.
+    Event {
+        /// Its number, from 0.
+        number: u64,
+    },
+    /// A pair of nodes of the tree of an event.
+    EventPair {
+        /// Number of the event, from 0.
+        number: u64,
+        /// The track.
+        track: &'static str,
+        /// Number of the token among those of the event, from 0.
+        token: u64,
+        /// First and second node.
+        nodes: Box<[String; 2]>,
+    },
+    /// A leaf at the time that an event leads to.
+    EventLeaf {
+        /// Number of the event, from 0.
+        number: u64,
+        /// The track.
+        track: &'static str,
+        /// Number of the leaf.
+        leaf: u64,
+    },
+    /// The contact of a track of a motion.
+    Contact {
+        /// The track.
+        track: &'static str,
+    },
 }
 
 /// What was wrong there.
@@ -117,6 +148,15 @@ pub enum Reason {
     },
     /// Moving points, an interval or a box that the curve does not have.
     Domain(DomainError),
+    /// A motion that the curve cannot have.
+    Motion(motion::MotionError),
+    /// Something else than what must be there.
+    Expected {
+        /// What must be there.
+        expected: &'static str,
+        /// What is there.
+        found: String,
+    },
 }
 
 /// Why a well-formed certificate is not accepted.
@@ -138,6 +178,19 @@ impl fmt::Display for Place {
             Place::Evidence => f.write_str("evidence"),
             Place::Entry { number } => write!(f, "statement.entries[{number}]"),
             Place::Token { number } => write!(f, "tree, token {number}"),
+            Place::Event { number } => write!(f, "event {number}"),
+            Place::EventPair {
+                number,
+                track,
+                token,
+                nodes,
+            } => write!(
+                f,
+                "event {number}, {track}, token {token}, pair ({}; {})",
+                nodes[0], nodes[1]
+            ),
+            Place::EventLeaf { number, track, leaf } => write!(f, "event {number}, {track}, leaf {leaf}"),
+            Place::Contact { track } => write!(f, "contact of the {track}"),
         }
     }
 }
@@ -167,6 +220,8 @@ impl fmt::Display for Reason {
                 )
             }
             Reason::Domain(error) => error.fmt(f),
+            Reason::Motion(error) => error.fmt(f),
+            Reason::Expected { expected, found } => write!(f, "expected {expected}, found {found}"),
         }
     }
 }
@@ -216,6 +271,7 @@ pub fn check<R: Read>(source: R) -> Verdict {
         Claim::Deviation(content) => no_tokens(&mut tokens)
             .and_then(|()| deviation::check_deviation(&document.curve, content))
             .map(|()| 0),
+        Claim::Motion(content) => motion::check_motion(&document.curve, content, &mut tokens),
         Claim::Thickness(content) => check_thickness(&document.curve, content, &mut tokens),
         Claim::Curvature(content) => no_tokens(&mut tokens)
             .and_then(|()| curvature::check_curvature(&document.curve, content))

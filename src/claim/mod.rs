@@ -4,12 +4,14 @@ pub mod curvature;
 pub mod deviation;
 pub mod domain;
 pub mod embedding;
+pub mod motion;
 pub mod msd;
 pub mod thickness;
 pub mod tree;
 pub mod values;
 
 /// What a certificate says and why, of one of the claims.
+#[allow(clippy::large_enum_variant, reason = "there is one for each file, not many")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Claim {
     /// The minimum separation distance.
@@ -24,6 +26,8 @@ pub enum Claim {
     Embedding(embedding::Content),
     /// The thickness.
     Thickness(thickness::Content),
+    /// A moving curve.
+    Motion(Box<motion::Content>),
     /// Results of the basic operations.
     Values(values::Content),
 }
@@ -43,6 +47,8 @@ pub enum ClaimRef<'a> {
     Embedding(&'a embedding::Content),
     /// The thickness.
     Thickness(&'a thickness::Content),
+    /// A moving curve.
+    Motion(&'a motion::Content),
     /// Results of the basic operations.
     Values(&'a values::Content),
 }
@@ -62,6 +68,7 @@ impl AsClaim for Claim {
             Claim::Deviation(content) => ClaimRef::Deviation(content),
             Claim::Embedding(content) => ClaimRef::Embedding(content),
             Claim::Thickness(content) => ClaimRef::Thickness(content),
+            Claim::Motion(content) => ClaimRef::Motion(content),
             Claim::Values(content) => ClaimRef::Values(content),
         }
     }
@@ -88,6 +95,12 @@ impl AsClaim for deviation::Content {
 impl AsClaim for curvature::Content {
     fn as_claim(&self) -> ClaimRef<'_> {
         ClaimRef::Curvature(self)
+    }
+}
+
+impl AsClaim for motion::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Motion(self)
     }
 }
 
@@ -146,6 +159,14 @@ impl Claim {
     pub fn embedding(&self) -> Option<&embedding::Content> {
         match self {
             Claim::Embedding(content) => Some(content),
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `motion`, if it is that.
+    pub fn motion(&self) -> Option<&motion::Content> {
+        match self {
+            Claim::Motion(content) => Some(content),
             _ => None,
         }
     }

@@ -110,6 +110,11 @@ impl<R: ByteRead> BinaryTokens<R> {
         BinaryTokens { source, dimension }
     }
 
+    /// The source, and the number of components of vectors.
+    pub(super) fn parts(&mut self) -> (&mut R, usize) {
+        (&mut self.source, self.dimension)
+    }
+
     fn vector(&mut self) -> Result<[Integer; 3], TokenError> {
         let mut vector: [Integer; 3] = Default::default();
         for component in vector.iter_mut().take(self.dimension) {

@@ -1,6 +1,6 @@
 //! The command line: its arguments, one file for each subcommand, exit codes.
 
-#[cfg(feature = "prove")]
+#[cfg(any(feature = "prove", feature = "import"))]
 mod atomic_file;
 mod bounds;
 #[cfg(feature = "prove")]
@@ -15,8 +15,13 @@ mod deviation_words;
 mod domain_words;
 mod embedding_words;
 mod failure;
+#[cfg(feature = "import")]
+mod import;
 mod input;
+mod motion_words;
 mod output;
+#[cfg(feature = "import")]
+mod reading;
 #[cfg(feature = "prove")]
 mod show;
 mod thickness_words;
@@ -49,6 +54,8 @@ enum Command {
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "import")]
+    Import(import::Arguments),
     #[cfg(feature = "prove")]
     Validate(validate::Arguments),
     #[cfg(feature = "prove")]
@@ -102,6 +109,8 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "prove")]
         Command::Certify(arguments) => certify::run(arguments),
         Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "import")]
+        Command::Import(arguments) => import::run(&arguments),
         #[cfg(feature = "prove")]
         Command::Validate(arguments) => validate::run(&arguments),
         #[cfg(feature = "prove")]

@@ -51,6 +51,8 @@ pub use evaluate::{Side, bernstein};
 pub use hodograph::Hodograph;
 pub use joint::Joint;
 pub use operation::OperationError;
+#[cfg(feature = "prove")]
+pub(crate) use read::read_number;
 pub use read::{
     CurveFile, MAXIMUM_TOTAL_BITS, Position, ReadError, ReadFault, ReadOptions, VERSION, read_curve, read_curve_with,
 };

@@ -251,7 +251,20 @@ impl Curve {
     }
 }
 
-/// c = v p + u q.
+impl Curve {
+    /// p becomes v p + u q, in the coordinates that the curve has; the others are 0, or a weight of 1 that stays.
+    #[inline(always)]
+    pub(super) fn mix_into(&self, v: Double, p: &mut Lifted, u: Double, q: &Lifted) {
+        for axis in 0..self.dimension {
+            p[axis] = v * p[axis] + u * q[axis];
+        }
+        if self.weights.is_some() {
+            p[3] = v * p[3] + u * q[3];
+        }
+    }
+}
+
+/// v p + u q.
 #[inline(always)]
 pub(super) fn mix(v: Double, p: &Lifted, u: Double, q: &Lifted) -> Lifted {
     std::array::from_fn(|i| v * p[i] + u * q[i])

@@ -93,7 +93,7 @@ proptest! {
             let t = parameter(&mut random, &curve);
             let expected = reference.evaluate(&exact(t)).unwrap();
             check("point", units(&curve.point(t).unwrap()[..d], &expected), 1.0);
-            check("point, prepared", units(&evaluator.point(t).unwrap()[..d], &expected), 12.0);
+            check("point, prepared", units(&evaluator.point(t).unwrap()[..d], &expected), 16.0);
         }
     }
 

@@ -12,6 +12,7 @@ mod float_chain;
 mod half_plane;
 mod leaf;
 pub mod linear_program;
+pub mod motion;
 pub mod msd;
 mod newton;
 mod node;

@@ -8,6 +8,7 @@ use crate::certificate::Document;
 use crate::check::chain::Chain;
 use crate::check::cover::{Context, replay};
 use crate::check::element::{Node, Parameter};
+use crate::claim::motion::EventSource;
 use crate::claim::msd::{Convention, Lower, Upper};
 use crate::claim::tree::{Leaf, TokenSource};
 use crate::claim::{Claim, curvature, deviation, domain, embedding, msd, thickness};
@@ -20,10 +21,10 @@ const MOST_LEAVES: usize = 50_000;
 const COMB: [usize; 2] = [3_000, 24];
 
 impl Scene {
-    /// The curve of a certificate, with what its claim is about. `tokens` are those of its tree, if it has one.
+    /// The curve of a certificate, with what its claim is about. `tokens` are those of its tree, or the events, if it has any.
     ///
     /// The certificate is taken at its word: check it first.
-    pub fn of_certificate<S: TokenSource>(document: &Document, tokens: &mut S) -> Scene {
+    pub fn of_certificate<S: EventSource>(document: &Document, tokens: &mut S) -> Scene {
         let mut scene = Scene::of_curve(&document.curve);
         match &document.claim {
             Claim::Msd(content) => {
@@ -41,6 +42,7 @@ impl Scene {
             Claim::Thickness(content) => scene.pipe(&document.curve, content, tokens),
             Claim::Deviation(content) => scene.deviation(content),
             Claim::Domain(content) => scene.domain(content),
+            Claim::Motion(content) => scene.motion(&document.curve, content, tokens),
             Claim::Values(content) => scene.values(&document.curve, content),
         }
         scene

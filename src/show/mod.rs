@@ -7,6 +7,7 @@
 
 mod claims;
 mod html;
+mod motion;
 mod scene;
 mod segment;
 mod svg;

@@ -2,8 +2,9 @@
 
 use std::io::Cursor;
 
-use knotproof::certificate::{Encoding, curve_sha256, read, write};
-use knotproof::claim::tree::{TokenSource, write_token};
+use knotproof::certificate::{Document, Encoding, MotionHash, curve_sha256, read, write};
+use knotproof::claim::motion::{Event, EventSource, write_event};
+use knotproof::claim::tree::{Token, write_token};
 use knotproof::curve::{Curve, read_curve};
 use serde_json::{Map, Value, json};
 
@@ -49,6 +50,35 @@ pub fn field_of(curve: &Curve) -> Value {
         .into()
 }
 
+/// What follows the document in the binary form: a tree, or the events of a motion.
+fn streamed<S: EventSource>(document: &Document, source: &mut S) -> Vec<u8> {
+    let dimension = document.curve.dimension();
+    let mut bytes = Vec::new();
+    if document.claim.motion().is_none() {
+        while let Some(token) = source.next_token().expect("a token") {
+            write_token(&token, dimension, &mut bytes);
+        }
+        return bytes;
+    }
+    while let Some(event) = source.next_event().expect("an event") {
+        write_event(&event, dimension, &mut bytes);
+        // A tree ends where no pair is left; of an incomplete one all there is is taken.
+        let mut pairs = u64::from(matches!(event, Event::Tree(_) | Event::Edit(..)));
+        while pairs > 0 {
+            let Some(token) = source.next_token().expect("a token") else {
+                break;
+            };
+            write_token(&token, dimension, &mut bytes);
+            pairs = match token {
+                Token::Split => pairs + 2,
+                Token::First | Token::Second => pairs + 1,
+                Token::Leaf(_) => pairs - 1,
+            };
+        }
+    }
+    bytes
+}
+
 /// A certificate under construction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Certificate(pub Value);
@@ -71,10 +101,7 @@ impl Certificate {
     pub fn of_bytes(bytes: &[u8]) -> Self {
         let mut text = Vec::new();
         let (document, mut tokens) = read(Cursor::new(bytes)).expect("a certificate");
-        let mut tree = Vec::new();
-        while let Some(token) = tokens.next_token().expect("a token") {
-            write_token(&token, document.curve.dimension(), &mut tree);
-        }
+        let tree = streamed(&document, &mut tokens);
         write(&document, Cursor::new(tree), Encoding::Json, &mut text).expect("writes to memory");
         Certificate(serde_json::from_slice(&text).expect("JSON"))
     }
@@ -136,6 +163,23 @@ impl Certificate {
         self.with("/curve_sha256", json!(hash))
     }
 
+    /// With the hash of its motion, if it can be read.
+    pub fn moved(self) -> Self {
+        let Ok((document, mut events)) = read(Cursor::new(self.json())) else {
+            return self;
+        };
+        let Some(content) = document.claim.motion() else {
+            return self;
+        };
+        let mut hash = MotionHash::new(&document.curve, &content.statement.denominator);
+        while let Some(event) = events.next_event().expect("events that were read") {
+            if let Event::Step(displacements) | Event::Begin(displacements) = event {
+                hash.include(&displacements);
+            }
+        }
+        self.with("/statement/motion_sha256", json!(hash.finish()))
+    }
+
     /// Its tokens.
     pub fn tokens(&self) -> Vec<String> {
         let tree = self.0["evidence"]["tree"].as_array();
@@ -155,10 +199,7 @@ impl Certificate {
     /// In the binary form; the certificate must be well formed.
     pub fn binary(&self) -> Vec<u8> {
         let (document, mut tokens) = read(Cursor::new(self.json())).expect("well formed");
-        let mut tree = Vec::new();
-        while let Some(token) = tokens.next_token().expect("a token") {
-            write_token(&token, document.curve.dimension(), &mut tree);
-        }
+        let tree = streamed(&document, &mut tokens);
         let mut bytes = Vec::new();
         write(&document, Cursor::new(tree), Encoding::Binary, &mut bytes).expect("writes to memory");
         bytes

@@ -6,6 +6,7 @@ mod bend;
 #[path = "../common/mod.rs"]
 mod common;
 mod half_plane;
+mod motion;
 mod operations;
 #[path = "../rules/subjects/mod.rs"]
 mod subjects;
@@ -151,6 +152,11 @@ fn exchange(tally: &mut Tally, certificate: &Certificate) {
 }
 
 fn mutate_bytes(tally: &mut Tally, bytes: &[u8]) {
+    mutated_bytes(bytes, &mut |mutant, what| tally.judge(mutant, what));
+}
+
+/// Every byte changed, dropped, doubled, exchanged with the next, and the file cut there.
+fn mutated_bytes(bytes: &[u8], judge: &mut dyn FnMut(Vec<u8>, &str)) {
     for (i, byte) in bytes.iter().enumerate() {
         let others: BTreeSet<u8> = [
             byte ^ 1,
@@ -167,19 +173,19 @@ fn mutate_bytes(tally: &mut Tally, bytes: &[u8]) {
         for other in others.into_iter().filter(|other| other != byte) {
             let mut mutant = bytes.to_vec();
             mutant[i] = other;
-            tally.judge(mutant, &format!("byte {i} as {other:#x}"));
+            judge(mutant, &format!("byte {i} as {other:#x}"));
         }
         let mut dropped = bytes.to_vec();
         dropped.remove(i);
-        tally.judge(dropped, &format!("byte {i} dropped"));
+        judge(dropped, &format!("byte {i} dropped"));
         let mut doubled = bytes.to_vec();
         doubled.insert(i, *byte);
-        tally.judge(doubled, &format!("byte {i} doubled"));
-        tally.judge(bytes[..i].to_vec(), &format!("cut at byte {i}"));
+        judge(doubled, &format!("byte {i} doubled"));
+        judge(bytes[..i].to_vec(), &format!("cut at byte {i}"));
         if i > 0 && bytes[i - 1] != *byte {
             let mut exchanged = bytes.to_vec();
             exchanged.swap(i - 1, i);
-            tally.judge(exchanged, &format!("bytes {} and {i} exchanged", i - 1));
+            judge(exchanged, &format!("bytes {} and {i} exchanged", i - 1));
         }
     }
 }

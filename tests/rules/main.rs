@@ -54,6 +54,7 @@ verified!(
     curvature,
     deviation,
     thickness,
+    motion,
     values,
 );
 

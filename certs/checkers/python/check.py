@@ -16,6 +16,7 @@ import curvature
 import deviation
 import domain
 import embedding
+import motion
 import msd
 import thickness
 import values
@@ -24,7 +25,7 @@ from document import BinaryReader, Reject, anything, expect, natural, parse_json
 
 # modules with STATEMENT, evidence_of, check and sentence
 CLAIMS = {"msd": msd, "domain": domain, "embedding": embedding, "curvature": curvature,
-          "thickness": thickness, "deviation": deviation, "values": values}
+          "thickness": thickness, "deviation": deviation, "motion": motion, "values": values}
 MAX_HEADER = 16_777_216
 MAX_JSON_BYTES = (1 << 30) - 1
 MAGIC = b"KNOTCRT1"
@@ -59,8 +60,8 @@ def check_certificate(data, wanted_hash=None):
     else:
         text("binary")(found["curve"], "curve")
         block = binary
-    begin, chain = block.at, read_chain(block)
-    found_hash = hashlib.sha256(memoryview(block.data)[begin:block.at]).hexdigest()
+    chain = read_chain(block)
+    found_hash = hashlib.sha256(chain.block).hexdigest()
     stated_hash = found["curve_sha256"]
     expect(HASH.fullmatch(stated_hash), "curve_sha256", "64 lower-case hexadecimal digits", stated_hash)
     expect(stated_hash == found_hash, "curve_sha256", found_hash, stated_hash)

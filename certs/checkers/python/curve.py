@@ -58,7 +58,7 @@ def curve_block(value):
 
 def read_chain(reader):
     """The chain of the curve whose block comes next."""
-    dimension, kind = reader.byte("dimension"), reader.byte("kind of curve")
+    begin, dimension, kind = reader.at, reader.byte("dimension"), reader.byte("kind of curve")
     expect(dimension in (2, 3) and kind in (0, 1), "curve block", "dimension 2 or 3, kind 0 or 1", (dimension, kind))
 
     def control_points(count):
@@ -86,7 +86,7 @@ def read_chain(reader):
             meets = not any(difference(before[-1], after[0]))
             expect(meets, f"curve: piece {i}", "to begin where the one before ends", after[0])
     arcs = [Arc(reduced(points), reduced(derivative(points, scale))) for points, scale in pieces]
-    return Chain(dimension, arcs, source)
+    return Chain(dimension, arcs, source, memoryview(reader.data)[begin:reader.at])
 
 
 def check_knots(degree, knots, count):
@@ -237,10 +237,10 @@ class Source(NamedTuple):
 
 
 class Chain:
-    """The pieces, whether the curve is closed, its joints, and the source it comes from."""
+    """The pieces, whether the curve is closed, its joints, the source it comes from, and its curve block."""
 
-    def __init__(self, dimension, pieces, source):
-        self.dimension, self.pieces, self.size, self.source = dimension, pieces, len(pieces), source
+    def __init__(self, dimension, pieces, source, block):
+        self.dimension, self.pieces, self.size, self.source, self.block = dimension, pieces, len(pieces), source, block
         for i, piece in enumerate(pieces):
             require(piece.tangents(), f"curve: piece {i} is a single point (D vanishes)")
         self.closed = not any(difference(pieces[0].points[0], pieces[-1].points[-1]))

@@ -12,14 +12,7 @@ MAX_SUBSECTIONS = 1_024
 
 def check(chain, rule, upper, critical):
     """Check the rule for the bound upper_squared."""
-    def parameter(value, where):
-        s = number(value, where)
-        expect(0 <= s <= chain.size and not (chain.closed and s == chain.size), where, "a parameter of the curve", s)
-        return s
-
-    def interval(value, where):
-        return Interval(chain, where, *items(number, 2)(value, where))
-
+    parameter, interval = readers(chain)
     pair, vector, side = items(integer, 2), items(integer, chain.dimension), text("after", "before")
     rules = {
         "miranda": {"s": interval, "t": interval, "first": pair, "second": pair, "regular": items(vector, 2),
@@ -32,13 +25,27 @@ def check(chain, rule, upper, critical):
         rules["critical_root"] = {"s": parameter, "t": parameter}
         rules["critical_interval"] = {"s": parameter, "t": interval, "regular": vector}
     fields = variant("rule", rules)(rule, "upper")
-    name, s, t = fields.pop("rule"), fields["s"], fields["t"]
+    require_order(chain, fields["s"], fields["t"])
+    CHECKS[fields.pop("rule")](chain, upper, **fields)
+
+
+def readers(chain):
+    """The readers of a parameter and of an interval of the curve."""
+    def parameter(value, where):
+        s = number(value, where)
+        expect(0 <= s <= chain.size and not (chain.closed and s == chain.size), where, "a parameter of the curve", s)
+        return s
+
+    return parameter, lambda value, where: Interval(chain, where, *items(number, 2)(value, where))
+
+
+def require_order(chain, s, t):
+    """Two intervals are disjoint and in order, two parameters different and in order."""
     if isinstance(s, Interval):
         disjoint = s.end < t.start and not (chain.closed and t.end >= s.start + chain.size)
         require(disjoint, "upper: expected disjoint intervals in order, found others")
     elif not isinstance(t, Interval):
         expect(s < t, "upper", "s < t", [str(s), str(t)])
-    CHECKS[name](chain, upper, **fields)
 
 
 class Interval:

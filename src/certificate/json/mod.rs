@@ -4,6 +4,8 @@ mod curvature;
 mod deviation;
 mod domain;
 mod embedding;
+mod motion;
+mod motion_events;
 mod msd;
 mod numbers;
 mod raw;
@@ -13,5 +15,5 @@ mod tree;
 mod values;
 mod write;
 
-pub use read::{read, read_header};
+pub use read::{Texts, read, read_header};
 pub use write::{header, write};

@@ -204,7 +204,7 @@ fn upper(raw: &RawUpper, dimension: usize) -> Parsed<Upper> {
     })
 }
 
-fn interval(texts: &[Text; 2], place: &str) -> Parsed<Interval> {
+pub(super) fn interval(texts: &[Text; 2], place: &str) -> Parsed<Interval> {
     Ok(Interval {
         start: rational(&texts[0], place)?,
         end: rational(&texts[1], place)?,
@@ -215,7 +215,7 @@ fn factors(texts: &[Text; 2], place: &str) -> Parsed<[Integer; 2]> {
     Ok([integer(&texts[0], place)?, integer(&texts[1], place)?])
 }
 
-fn vector(texts: &[Text], dimension: usize, place: &str) -> Parsed<[Integer; 3]> {
+pub(super) fn vector(texts: &[Text], dimension: usize, place: &str) -> Parsed<[Integer; 3]> {
     if texts.len() != dimension {
         return Err(FormatError::malformed(
             place,
@@ -267,12 +267,17 @@ pub fn write_evidence<R: Read, W: Write>(
     out.write_all(text.as_bytes())
 }
 
+pub(super) fn interval_text(interval: &Interval) -> String {
+    format!("[\"{}\", \"{}\"]", interval.start.format(), interval.end.format())
+}
+
+pub(super) fn integers_text(integers: &[Integer]) -> String {
+    let texts: Vec<String> = integers.iter().map(|x| format!("\"{x}\"")).collect();
+    format!("[{}]", texts.join(", "))
+}
+
 fn upper_text(upper: &Upper, dimension: usize) -> String {
-    let interval = |i: &Interval| format!("[\"{}\", \"{}\"]", i.start.format(), i.end.format());
-    let integers = |v: &[Integer]| {
-        let texts: Vec<String> = v.iter().map(|x| format!("\"{x}\"")).collect();
-        format!("[{}]", texts.join(", "))
-    };
+    let (interval, integers) = (interval_text, integers_text);
     match upper {
         Upper::Miranda {
             s,

@@ -6,9 +6,10 @@ use serde::Deserialize;
 
 use super::super::block::{self, hexadecimal};
 use super::super::{Document, FormatError};
+use super::motion_events::TextEvent;
 use super::numbers::{Parsed, numbers, points, shortened};
 use super::raw::{InBlock, Object, RawClaim, RawCurve, RawDocument, Text};
-use super::{curvature, deviation, domain, embedding, msd, thickness, values};
+use super::{curvature, deviation, domain, embedding, motion, msd, thickness, values};
 use crate::claim::Claim;
 use crate::curve::{BSpline, Bezier, Curve, Form, MAXIMUM_PIECES};
 
@@ -64,6 +65,14 @@ pub fn curve_at(raw: RawCurve, place: &str) -> Parsed<Curve> {
     })
 }
 
+/// What a claim streams, as far as it is in the JSON form.
+pub enum Texts {
+    /// The tokens of a tree.
+    Tokens(Vec<String>),
+    /// The events of a motion.
+    Events(Vec<TextEvent>),
+}
+
 /// Everything of a document but the curve.
 pub struct Header<'a> {
     tool: String,
@@ -78,8 +87,8 @@ pub struct Header<'a> {
 }
 
 impl Header<'_> {
-    /// The document about `curve`, whose block has the hash `actual`, and the texts of its tree's tokens.
-    pub fn into_document(self, curve: Curve, actual: &[u8; 32]) -> Parsed<(Document<'static>, Vec<String>)> {
+    /// The document about `curve`, whose block has the hash `actual`, and the texts of its tree's tokens or of its events.
+    pub fn into_document(self, curve: Curve, actual: &[u8; 32]) -> Parsed<(Document<'static>, Texts)> {
         let actual = hexadecimal(actual);
         if self.stated_hash != actual {
             return Err(FormatError::Hash {
@@ -88,6 +97,7 @@ impl Header<'_> {
             });
         }
         let dimension = curve.dimension();
+        let mut motion_events = None;
         let (claim, tokens) = match self.claim.as_str() {
             "msd" => {
                 let (content, tokens) = msd::read(self.statement, self.evidence, self.block, dimension)?;
@@ -117,9 +127,14 @@ impl Header<'_> {
                 let (content, tokens) = embedding::read(self.statement, self.evidence, self.block)?;
                 (Claim::Embedding(content), tokens)
             }
+            "motion" => {
+                let (content, events) = motion::read(self.statement, self.evidence, self.block, dimension)?;
+                motion_events = Some(events);
+                (Claim::Motion(Box::new(content)), Vec::new())
+            }
             other => {
                 let what = format!(
-                    "found {:?}, expected \"msd\", \"domain\", \"embedding\", \"curvature\", \"thickness\", \"deviation\" or \"values\"",
+                    "found {:?}, expected \"msd\", \"domain\", \"embedding\", \"curvature\", \"thickness\", \"deviation\", \"motion\" or \"values\"",
                     shortened(other)
                 );
                 return Err(FormatError::malformed("statement.claim", what));
@@ -132,7 +147,8 @@ impl Header<'_> {
             curve: Cow::Owned(curve),
             claim,
         };
-        Ok((document, tokens))
+        let texts = motion_events.map_or(Texts::Tokens(tokens), Texts::Events);
+        Ok((document, texts))
     }
 }
 
@@ -191,8 +207,8 @@ pub fn parse_within<'a, T: Deserialize<'a>>(text: &'a str, within: &str) -> Pars
     })
 }
 
-/// Reads the JSON form; the tokens come back as texts.
-pub fn read(text: &[u8]) -> Parsed<(Document<'static>, Vec<String>)> {
+/// Reads the JSON form; tokens or events come back as texts.
+pub fn read(text: &[u8]) -> Parsed<(Document<'static>, Texts)> {
     let Object(raw): Object<RawDocument<Object<RawCurve>>> = parse(text).map_err(in_document)?;
     let (header, Object(raw_curve)) = header_of(raw, false)?;
     let curve = curve(raw_curve)?;

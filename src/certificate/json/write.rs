@@ -4,7 +4,7 @@ use std::io::{self, Read, Write};
 
 use super::super::Document;
 use super::super::block::{self, hexadecimal};
-use super::{curvature, deviation, domain, embedding, msd, thickness, values};
+use super::{curvature, deviation, domain, embedding, motion, msd, thickness, values};
 use crate::claim::{AsClaim, ClaimRef};
 use crate::curve::{Curve, Form};
 use crate::number::{RationalExt, RationalVector};
@@ -54,6 +54,12 @@ fn rest<C: AsClaim, R: Read, W: Write>(
             text.push_str(between);
             out.write_all(text.as_bytes())?;
             embedding::write_evidence(content, document.curve.dimension(), tree, out)?;
+        }
+        ClaimRef::Motion(content) => {
+            text.push_str(&motion::statement_text(&content.statement));
+            text.push_str(between);
+            out.write_all(text.as_bytes())?;
+            motion::write_evidence(&content.evidence, document.curve.dimension(), tree, out)?;
         }
         ClaimRef::Domain(content) => {
             domain::write_statement(&content.statement, &mut text);

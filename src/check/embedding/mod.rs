@@ -3,7 +3,7 @@
 mod control;
 mod margin;
 mod quick;
-mod rows;
+pub(super) mod rows;
 
 use std::collections::HashSet;
 

@@ -141,7 +141,8 @@ impl<'c> Table<'c> {
         self.rows(piece, 0, 0)
     }
 
-    fn rows(&mut self, piece: usize, depth: u32, index: u128) -> Rc<Rows> {
+    /// The rows of the part [index/2^depth, (index+1)/2^depth] of a piece.
+    pub fn rows(&mut self, piece: usize, depth: u32, index: u128) -> Rc<Rows> {
         if let Some(rows) = self.known.get(&(piece, depth, index)) {
             return Rc::clone(rows);
         }

@@ -46,7 +46,7 @@ pub fn check<W: Word>(
 }
 
 /// n·(p−q) negative at the start of `across`, positive at its end, where p is there and q on `along`, or the reverse if `swapped`.
-fn face<W: Word>(
+pub fn face<W: Word>(
     chain: &Chain,
     across: &[Section],
     along: &[Section],

@@ -4,6 +4,8 @@ mod curvature;
 mod deviation;
 mod domain;
 mod embedding;
+mod motion;
+mod motion_report;
 mod msd;
 mod output_file;
 pub mod progress;
@@ -30,6 +32,7 @@ enum Claim {
     Curvature(curvature::Arguments),
     Deviation(deviation::Arguments),
     Embedding(Box<embedding::Arguments>),
+    Motion(Box<motion::Arguments>),
     Thickness(thickness::Arguments),
     Values(values::Arguments),
 }
@@ -42,6 +45,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         Claim::Curvature(arguments) => curvature::run(&arguments),
         Claim::Deviation(arguments) => deviation::run(&arguments),
         Claim::Embedding(arguments) => embedding::run(*arguments),
+        Claim::Motion(arguments) => motion::run(&arguments),
         Claim::Thickness(arguments) => thickness::run(&arguments),
         Claim::Values(arguments) => values::run(&arguments),
     }

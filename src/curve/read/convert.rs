@@ -113,7 +113,7 @@ impl Numbers {
     fn vector(&mut self, list: &[&RawValue], path: &dyn Fn(usize) -> String) -> Result<RationalVector, ReadError> {
         let mut numbers = Vec::with_capacity(list.len());
         for (i, raw) in list.iter().enumerate() {
-            let number = self.number(raw).map_err(|fault| refuse(path(i), fault))?;
+            let number = read_number(raw, self.meaning).map_err(|fault| refuse(path(i), fault))?;
             let found = number.numer().bits().max(number.denom().bits());
             if found > MAXIMUM_BITS {
                 let fault = CurveFault::TooManyBits { found };
@@ -136,31 +136,32 @@ impl Numbers {
         }
         Ok(RationalVector::from_rationals(&numbers))
     }
+}
 
-    fn number(&self, raw: &RawValue) -> Result<Rational, ReadFault> {
-        let text = raw.get();
-        match text.as_bytes().first() {
-            Some(b'"') if text.contains('\\') => {
-                let plain: String = serde_json::from_str(text).map_err(|_| not_a_number("a broken string"))?;
-                self.parse(&plain)
-            }
-            Some(b'"') => self.parse(&text[1..text.len() - 1]),
-            Some(b'[') => Err(not_a_number("a list")),
-            Some(b'{') => Err(not_a_number("an object")),
-            Some(b't' | b'f' | b'n') => Err(not_a_number(text)),
-            _ => self.parse(text),
+/// The number of a JSON value, a string or a literal.
+pub(crate) fn read_number(raw: &RawValue, meaning: Meaning) -> Result<Rational, ReadFault> {
+    let text = raw.get();
+    match text.as_bytes().first() {
+        Some(b'"') if text.contains('\\') => {
+            let plain: String = serde_json::from_str(text).map_err(|_| not_a_number("a broken string"))?;
+            parse(&plain, meaning)
         }
+        Some(b'"') => parse(&text[1..text.len() - 1], meaning),
+        Some(b'[') => Err(not_a_number("a list")),
+        Some(b'{') => Err(not_a_number("an object")),
+        Some(b't' | b'f' | b'n') => Err(not_a_number(text)),
+        _ => parse(text, meaning),
     }
+}
 
-    fn parse(&self, text: &str) -> Result<Rational, ReadFault> {
-        // What the writer writes may be longer than what people may.
-        if (MAXIMUM_LENGTH + 1..=MAXIMUM_CANONICAL_LENGTH).contains(&text.len())
-            && let Ok(number) = Rational::parse_canonical(text)
-        {
-            return Ok(number);
-        }
-        parse_number(text, self.meaning).map_err(ReadFault::Number)
+fn parse(text: &str, meaning: Meaning) -> Result<Rational, ReadFault> {
+    // What the writer writes may be longer than what people may.
+    if (MAXIMUM_LENGTH + 1..=MAXIMUM_CANONICAL_LENGTH).contains(&text.len())
+        && let Ok(number) = Rational::parse_canonical(text)
+    {
+        return Ok(number);
     }
+    parse_number(text, meaning).map_err(ReadFault::Number)
 }
 
 fn not_a_number(found: &str) -> ReadFault {

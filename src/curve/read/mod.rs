@@ -4,6 +4,8 @@ mod convert;
 mod document;
 mod error;
 
+#[cfg(feature = "prove")]
+pub(crate) use convert::read_number;
 pub use error::{Position, ReadError, ReadFault};
 
 use super::Curve;

@@ -17,6 +17,7 @@ pub mod empty;
 pub mod far;
 pub mod miranda;
 pub mod monotone;
+pub mod motion;
 pub mod nearest;
 pub mod not_normal;
 pub mod numbers;
@@ -67,6 +68,7 @@ pub fn all() -> Vec<(&'static str, fn() -> Vec<Case>)> {
         ("curvature", curvature::cases),
         ("deviation", deviation::cases),
         ("thickness", thickness::cases),
+        ("motion", motion::cases),
         ("values", values::cases),
     ]
 }
