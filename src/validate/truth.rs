@@ -110,7 +110,7 @@ fn of_curve(case: &Case, spline: BSpline, msd: &MsdOracle<'_>) -> Result<Truth, 
             Ok(Truth::of_distance(
                 &distance::to_point(&about.spline, &exact, scale),
                 scale,
-                "c",
+                "the curve",
             ))
         }
         Operation::CurveDistance { other } => {

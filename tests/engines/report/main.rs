@@ -23,13 +23,13 @@ struct Arguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// How many cases with made curves.
-    #[arg(long, default_value_t = 3000)]
+    #[arg(long, default_value_t = 960)]
     count: usize,
     /// Further cases about these curves.
     #[arg(long, num_args = 1..)]
     curves: Vec<PathBuf>,
     /// How many of those.
-    #[arg(long, default_value_t = 600)]
+    #[arg(long, default_value_t = 240)]
     curve_count: usize,
     /// A command that answers a file of cases, run in the directory of the adapters; often.
     #[arg(long = "engine")]
@@ -38,7 +38,7 @@ struct Arguments {
     #[arg(long, default_value = "tests/engines")]
     adapters: PathBuf,
     /// The most rounds of shrinking.
-    #[arg(long, default_value_t = 80)]
+    #[arg(long, default_value_t = 14)]
     rounds: usize,
     /// The page to write.
     #[arg(long)]

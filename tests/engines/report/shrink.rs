@@ -81,7 +81,7 @@ fn smaller(case: &Case) -> Vec<Case> {
     let own = size(case);
     let mut variants: Vec<(usize, Case)> = variants(case)
         .into_iter()
-        .filter(|variant| is_valid(variant))
+        .filter(is_valid)
         .map(|variant| (size(&variant), variant))
         .filter(|(size, _)| *size < own)
         .collect();
