@@ -53,6 +53,12 @@ pub mod claim;
 pub mod compare;
 pub mod curve;
 #[cfg(feature = "prove")]
+pub mod engine;
+#[cfg(feature = "prove")]
+pub mod float;
+#[cfg(feature = "import")]
+pub mod import;
+#[cfg(feature = "prove")]
 pub mod motion;
 pub mod number;
 #[cfg(feature = "prove")]
@@ -61,3 +67,5 @@ pub mod polytope;
 pub mod prove;
 #[cfg(feature = "prove")]
 pub mod show;
+#[cfg(feature = "prove")]
+pub mod validate;

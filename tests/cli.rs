@@ -25,6 +25,9 @@ mod domain;
 mod embedding;
 #[path = "cli/help.rs"]
 mod help;
+#[cfg(all(feature = "import", feature = "prove"))]
+#[path = "cli/import.rs"]
+mod import;
 #[cfg(feature = "prove")]
 #[path = "cli/motion.rs"]
 mod motion;
@@ -36,3 +39,9 @@ mod show;
 #[cfg(feature = "prove")]
 #[path = "cli/usage.rs"]
 mod usage;
+#[cfg(feature = "prove")]
+#[path = "cli/validate.rs"]
+mod validate;
+#[cfg(feature = "prove")]
+#[path = "cli/values.rs"]
+mod values;

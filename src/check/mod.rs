@@ -20,6 +20,7 @@ pub mod rule;
 pub mod section;
 pub mod tangents;
 mod thickness;
+pub mod values;
 pub mod word;
 
 use std::fmt;
@@ -56,6 +57,11 @@ pub enum Place {
     },
     /// The evidence of a claim without a tree.
     Evidence,
+    /// An entry of the statement.
+    Entry {
+        /// Its number, from 0.
+        number: usize,
+    },
     /// Between the tokens.
     Token {
         /// Number of the token, from 0.
@@ -170,6 +176,7 @@ impl fmt::Display for Place {
             Place::Upper { rule } => write!(f, "upper bound, rule {rule}"),
             Place::Pair { token, a, b } => write!(f, "tree, token {token}, pair ({a}; {b})"),
             Place::Evidence => f.write_str("evidence"),
+            Place::Entry { number } => write!(f, "statement.entries[{number}]"),
             Place::Token { number } => write!(f, "tree, token {number}"),
             Place::Event { number } => write!(f, "event {number}"),
             Place::EventPair {
@@ -268,6 +275,9 @@ pub fn check<R: Read>(source: R) -> Verdict {
         Claim::Thickness(content) => check_thickness(&document.curve, content, &mut tokens),
         Claim::Curvature(content) => no_tokens(&mut tokens)
             .and_then(|()| curvature::check_curvature(&document.curve, content))
+            .map(|()| 0),
+        Claim::Values(content) => no_tokens(&mut tokens)
+            .and_then(|()| values::check_values(&document.curve, content))
             .map(|()| 0),
     };
     match outcome {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
 
-use crate::cli::failure::Failure;
+use super::failure::Failure;
 
 /// Begins the names of files that are not whole yet.
 const PREFIX: &str = ".knotproof-";

@@ -17,7 +17,10 @@ use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
 use super::motion_words::{self, MotionLine};
 use super::output::{complain, say, say_json};
+#[cfg(feature = "import")]
+use super::reading::Reading;
 use super::thickness_words::{self, ThicknessLine};
+use super::values_words::{self, ValuesLine};
 use super::{Exit, Printing};
 
 /// Check certificates: replay their evidence in exact arithmetic
@@ -37,6 +40,9 @@ pub struct Arguments {
     /// Read the curve as `certify --snap-joints` does.
     #[arg(long, requires = "curve")]
     snap_joints: bool,
+    #[cfg(feature = "import")]
+    #[command(flatten)]
+    reading: Reading,
     #[command(flatten)]
     printing: Printing,
 }
@@ -122,6 +128,12 @@ pub enum StatementLine {
         #[serde(skip)]
         words: String,
     },
+    Values {
+        #[serde(flatten)]
+        line: ValuesLine,
+        #[serde(skip)]
+        words: String,
+    },
 }
 
 /// Runs the subcommand.
@@ -130,7 +142,11 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let wanted = match &arguments.curve {
         None => None,
         Some(file) => {
-            let sha256 = curve_sha256(&file.read_curve(arguments.snap_joints)?.curve);
+            #[cfg(feature = "import")]
+            let (read, _) = file.read_curve_with(arguments.snap_joints, &arguments.reading)?;
+            #[cfg(not(feature = "import"))]
+            let read = file.read_curve(arguments.snap_joints)?;
+            let sha256 = curve_sha256(&read.curve);
             Some(Wanted { file, sha256 })
         }
     };
@@ -229,6 +245,10 @@ pub fn statement(document: &Document) -> StatementLine {
             line: EmbeddingLine::new(&content.statement),
             words: embedding_words::in_words(&content.statement),
         },
+        Claim::Values(content) => StatementLine::Values {
+            line: ValuesLine::new(&content.statement),
+            words: values_words::in_words(&content.statement),
+        },
     }
 }
 
@@ -263,8 +283,10 @@ fn hexadecimal(bytes: &[u8]) -> String {
     })
 }
 
+#[cfg(feature = "prove")]
 impl StatementLine {
     /// The statement in words.
+    #[cfg(feature = "prove")]
     pub fn words(&self) -> &str {
         match self {
             StatementLine::Msd { words, .. }
@@ -273,6 +295,7 @@ impl StatementLine {
             | StatementLine::Thickness { words, .. }
             | StatementLine::Curvature { words, .. }
             | StatementLine::Embedding { words, .. }
+            | StatementLine::Values { words, .. }
             | StatementLine::Motion { words, .. } => words,
         }
     }
@@ -305,6 +328,7 @@ impl Outcome {
                     ),
                     StatementLine::Domain { words, .. }
                     | StatementLine::Deviation { words, .. }
+                    | StatementLine::Values { words, .. }
                     | StatementLine::Curvature { words, .. } => {
                         format!("accepted: {input}: {words} (curve {curve}…)\n")
                     }

@@ -22,7 +22,7 @@ use super::{Exit, Printing};
 /// row is undecided.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1; "-" is standard input.
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
     curve: Input,
     /// δ, the tolerance of the estimate of the minimum separation distance: a positive decimal or fraction.
     #[arg(long, value_name = "TOLERANCE", default_value = "0.25", allow_hyphen_values = true, value_parser = parse_tolerance)]
@@ -36,6 +36,9 @@ pub struct Arguments {
     /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
     #[arg(long)]
     snap_joints: bool,
+    #[cfg(feature = "import")]
+    #[command(flatten)]
+    reading: super::reading::Reading,
     /// What is printed.
     #[command(flatten)]
     printing: Printing,
@@ -118,6 +121,11 @@ impl<'r> RowLine<'r> {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    #[cfg(feature = "import")]
+    let (file, _) = arguments
+        .curve
+        .read_curve_with(arguments.snap_joints, &arguments.reading)?;
+    #[cfg(not(feature = "import"))]
     let file = arguments.curve.read_curve(arguments.snap_joints)?;
     let options = Options {
         delta: arguments.delta.clone(),
@@ -170,7 +178,7 @@ fn words(arguments: &Arguments, file: &CurveFile, rows: &[Row], seconds: f64) ->
     let (delta, epsilon_d) = (arguments.delta.format(), arguments.epsilon_d.format());
     let mut text = format!("{name}, δ = {delta}, ε_d = {epsilon_d}\n");
     let width = |of: &dyn Fn(&Row) -> usize| rows.iter().map(of).max().unwrap_or(0);
-    let quantities = width(&|row| row.quantity.chars().count());
+    let quantities = width(&|row| columns(&row.quantity));
     let values = width(&|row| value(row).chars().count());
     let mut method = "";
     for row in rows {
@@ -179,8 +187,8 @@ fn words(arguments: &Arguments, file: &CurveFile, rows: &[Row], seconds: f64) ->
             let _ = writeln!(text, "{method}");
         }
         let (quantity, value, standing) = (&row.quantity, value(row), row.standing.name());
-        let line = format!("  {quantity:quantities$}  {value:values$}  {standing}");
-        text.push_str(&line);
+        let space = " ".repeat(quantities - columns(quantity));
+        let _ = write!(text, "  {quantity}{space}  {value:values$}  {standing}");
         if let Some(remark) = &row.remark {
             let _ = write!(text, ": {remark}");
         }
@@ -188,6 +196,11 @@ fn words(arguments: &Arguments, file: &CurveFile, rows: &[Row], seconds: f64) ->
     }
     let _ = writeln!(text, "{seconds:.3} s");
     text
+}
+
+/// The columns that a text takes: the tilde of m̃ stands above its letter.
+fn columns(text: &str) -> usize {
+    text.chars().filter(|c| *c != '\u{303}').count()
 }
 
 fn markdown(rows: &[Row]) -> String {

@@ -7,8 +7,12 @@ use std::io::{self, Read};
 use std::path::PathBuf;
 
 use knotproof::curve::{CurveFault, CurveFile, ReadFault, ReadOptions, read_curve_with};
+#[cfg(feature = "import")]
+use knotproof::import::{Format, detect};
 
 use super::failure::Failure;
+#[cfg(feature = "import")]
+use super::reading::Reading;
 
 /// A file to read, or standard input, written `-`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,13 +67,40 @@ impl Input {
         }
     }
 
-    /// Reads it as a curve file.
-    pub fn read_curve(&self, snap_joints: bool) -> Result<CurveFile, Failure> {
-        let mut text = Vec::new();
+    /// All of it.
+    pub fn bytes(&self) -> Result<Vec<u8>, Failure> {
+        let mut bytes = Vec::new();
         self.open()?
-            .read_to_end(&mut text)
+            .read_to_end(&mut bytes)
             .map_err(|error| self.unreadable(&error))?;
-        read_curve_with(&text, ReadOptions { snap_joints }).map_err(|error| {
+        Ok(bytes)
+    }
+
+    /// Reads it as a curve file, or as a file of another format that holds one curve.
+    pub fn read_curve(&self, snap_joints: bool) -> Result<CurveFile, Failure> {
+        #[cfg(feature = "import")]
+        {
+            Ok(self.read_curve_with(snap_joints, &Reading::default())?.0)
+        }
+        #[cfg(not(feature = "import"))]
+        {
+            self.curve_file(&self.bytes()?, snap_joints)
+        }
+    }
+
+    /// Reads it as a curve file or as one of another format, with what there is to know of the curve.
+    #[cfg(feature = "import")]
+    pub fn read_curve_with(&self, snap_joints: bool, reading: &Reading) -> Result<(CurveFile, Vec<String>), Failure> {
+        let bytes = self.bytes()?;
+        match detect(&bytes) {
+            // Bytes that show nothing are told by the reader of curve files.
+            None | Some(Format::Curve) => Ok((self.curve_file(&bytes, snap_joints)?, Vec::new())),
+            Some(_) => reading.one_curve(self, &bytes),
+        }
+    }
+
+    fn curve_file(&self, bytes: &[u8], snap_joints: bool) -> Result<CurveFile, Failure> {
+        read_curve_with(bytes, ReadOptions { snap_joints }).map_err(|error| {
             let hint = match &error.fault {
                 ReadFault::Curve(CurveFault::Gap) => {
                     "; --snap-joints moves the starts of pieces to the ends before them"

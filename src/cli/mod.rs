@@ -1,8 +1,10 @@
 //! The command line: its arguments, one file for each subcommand, exit codes.
 
-#[cfg(feature = "prove")]
+#[cfg(any(feature = "prove", feature = "import"))]
 mod atomic_file;
 mod bounds;
+#[cfg(feature = "prove")]
+mod cases;
 #[cfg(feature = "prove")]
 mod certify;
 mod check;
@@ -13,12 +15,19 @@ mod deviation_words;
 mod domain_words;
 mod embedding_words;
 mod failure;
+#[cfg(feature = "import")]
+mod import;
 mod input;
 mod motion_words;
 mod output;
+#[cfg(feature = "import")]
+mod reading;
 #[cfg(feature = "prove")]
 mod show;
 mod thickness_words;
+#[cfg(feature = "prove")]
+mod validate;
+mod values_words;
 
 use std::process::ExitCode;
 
@@ -45,6 +54,12 @@ enum Command {
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
     Check(check::Arguments),
+    #[cfg(feature = "import")]
+    Import(import::Arguments),
+    #[cfg(feature = "prove")]
+    Validate(validate::Arguments),
+    #[cfg(feature = "prove")]
+    Cases(cases::Arguments),
     #[cfg(feature = "prove")]
     Show(show::Arguments),
     #[cfg(feature = "prove")]
@@ -94,6 +109,12 @@ pub fn run() -> ExitCode {
         #[cfg(feature = "prove")]
         Command::Certify(arguments) => certify::run(arguments),
         Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "import")]
+        Command::Import(arguments) => import::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Validate(arguments) => validate::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Cases(arguments) => cases::run(&arguments),
         #[cfg(feature = "prove")]
         Command::Show(arguments) => show::run(&arguments),
         #[cfg(feature = "prove")]

@@ -24,6 +24,12 @@ pub fn say_json(value: &impl Serialize) -> Result<(), Failure> {
     say(&line)
 }
 
+/// Writes something worth knowing to standard error.
+#[cfg(all(feature = "prove", feature = "import"))]
+pub fn remark(text: &str) {
+    let _ = writeln!(io::stderr(), "note: {text}");
+}
+
 /// Writes an error to standard error; when that is gone there is nobody to tell.
 pub fn complain(failure: &Failure) {
     let _ = writeln!(io::stderr(), "error: {failure}");

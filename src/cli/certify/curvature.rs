@@ -27,7 +27,7 @@ const ROOT_BITS: u32 = 256;
 /// attained. Corners do not count, but are told. Where the derivative vanishes, so that the curvature is not bounded, the exit code is 3 and the parameter is named.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1; "-" is standard input.
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
     curve: Input,
     /// How far apart the bounds may be, relative to the upper one: a decimal or a fraction from 1e-30 to 1e-1.
     #[arg(long, value_name = "WIDTH", default_value = "1e-9", allow_hyphen_values = true, value_parser = parse_width)]
@@ -61,7 +61,7 @@ struct ForPrograms {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let target = arguments.common.target(&arguments.curve)?;
-    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
+    let file = arguments.common.read(&arguments.curve)?;
     let options = Options {
         relative_width: arguments.rel_width.value.clone(),
         name: file.name.clone(),

@@ -27,7 +27,7 @@ const BOUND_DIGITS: usize = 6;
 /// interval that contains the greatest distance of points of the same parameter, and the bound of Nairn, Peters and Lutterkort (1999) that visualisation software goes by.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1; "-" is standard input.
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
     curve: Input,
     /// How often every piece is halved.
     #[arg(long, value_name = "M", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=i64::from(MOST_SUBDIVISIONS)))]
@@ -59,7 +59,7 @@ struct ForPrograms {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let target = arguments.common.target(&arguments.curve)?;
-    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
+    let file = arguments.common.read(&arguments.curve)?;
     let options = Options {
         subdivisions: arguments.subdivisions,
         relative_width: arguments.rel_width.value.clone(),

@@ -29,7 +29,7 @@ use crate::cli::output::{say, say_json};
 /// without -o. When neither can be proved, the exit code is 3.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1; "-" is standard input.
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
     curve: Input,
     /// How many leaves the proof may have at most [default: 500,000 and 64 for each piece]
     #[arg(long, value_name = "LEAVES", value_parser = clap::value_parser!(u64).range(1..))]
@@ -71,7 +71,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         pool.build_global().map_err(|error| Failure::at("--threads", error))?;
     }
-    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
+    let file = arguments.common.read(&arguments.curve)?;
     let options = Options {
         budget: arguments.budget,
         name: file.name.clone(),

@@ -24,7 +24,7 @@ use crate::cli::output::{say, say_json};
 /// for cannot be proved, the exit code is 3, and what could be proved is printed and written.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1; "-" is standard input.
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
     curve: Input,
     /// Which chords count at corners and ends.
     #[arg(long, value_enum, default_value_t = ConventionName::Smooth)]
@@ -79,7 +79,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         pool.build_global().map_err(|error| Failure::at("--threads", error))?;
     }
-    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
+    let file = arguments.common.read(&arguments.curve)?;
     let options = Options {
         convention: match arguments.convention {
             ConventionName::Smooth => Convention::Smooth,

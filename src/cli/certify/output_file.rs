@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use knotproof::certificate::{Document, Encoding};
 use knotproof::claim::AsClaim;
+use knotproof::curve::CurveFile;
 use knotproof::prove::domain::{CertifyError, write_checked};
 use tempfile::{NamedTempFile, SpooledTempFile};
 
@@ -14,6 +15,10 @@ use crate::cli::Printing;
 use crate::cli::atomic_file::AtomicFile;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
+#[cfg(feature = "import")]
+use crate::cli::output::remark;
+#[cfg(feature = "import")]
+use crate::cli::reading::Reading;
 
 /// The form of a certificate.
 #[derive(Clone, Copy, ValueEnum)]
@@ -36,6 +41,9 @@ pub struct Common {
     /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
     #[arg(long)]
     pub snap_joints: bool,
+    #[cfg(feature = "import")]
+    #[command(flatten)]
+    reading: Reading,
     /// What is printed.
     #[command(flatten)]
     pub printing: Printing,
@@ -45,6 +53,22 @@ impl Common {
     /// The place of the certificate.
     pub fn target(&self, curve: &Input) -> Result<Option<Target>, Failure> {
         Target::new(self.output.as_deref(), curve)
+    }
+
+    /// Reads the curve, of whatever format, and tells on standard error what reading changed.
+    pub fn read(&self, curve: &Input) -> Result<CurveFile, Failure> {
+        #[cfg(not(feature = "import"))]
+        {
+            curve.read_curve(self.snap_joints)
+        }
+        #[cfg(feature = "import")]
+        {
+            let (file, notes) = curve.read_curve_with(self.snap_joints, &self.reading)?;
+            if !self.printing.quiet {
+                notes.iter().for_each(|note| remark(&format!("{curve}: {note}")));
+            }
+            Ok(file)
+        }
     }
 }
 

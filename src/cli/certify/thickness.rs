@@ -30,7 +30,7 @@ use crate::cli::thickness_words::{ThicknessLine, in_words, subject};
 /// in the convention "critical", it is the reach. The output is an interval that contains it; all that is printed as proved has been replayed by the checker.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1; "-" is standard input.
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
     curve: Input,
     /// Which chords count for the minimum separation distance; an open curve needs "critical".
     #[arg(long, value_enum, default_value_t = ConventionName::Smooth)]
@@ -78,7 +78,7 @@ struct ForPrograms {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let target = arguments.common.target(&arguments.curve)?;
-    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
+    let file = arguments.common.read(&arguments.curve)?;
     let options = Options {
         convention: match arguments.convention {
             ConventionName::Smooth => Convention::Smooth,

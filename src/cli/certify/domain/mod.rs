@@ -28,7 +28,7 @@ const MOST_LEVELS: u32 = 24;
 /// --degree or --level the algorithm of Ginnis, Karousos and Kaklis (2009) runs instead, level by level, and no certificate is made.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1; "-" is standard input.
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
     curve: Input,
     /// The free control point, from 0; of Bézier pieces each joint counts once.
     #[arg(long, value_name = "INDEX")]
@@ -122,7 +122,7 @@ fn tolerance(text: &str) -> Result<Rational, String> {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let target = arguments.common.target(&arguments.curve)?;
-    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
+    let file = arguments.common.read(&arguments.curve)?;
     let problem = arguments.problem(&file)?;
     if arguments.degree.is_some() || arguments.level.is_some() {
         return match file.curve.dimension() {
