@@ -52,6 +52,10 @@ pub mod claim;
 #[cfg(feature = "prove")]
 pub mod compare;
 pub mod curve;
+#[cfg(feature = "prove")]
+pub mod engine;
+#[cfg(feature = "prove")]
+pub mod float;
 #[cfg(feature = "import")]
 pub mod import;
 #[cfg(feature = "prove")]
@@ -63,3 +67,5 @@ pub mod polytope;
 pub mod prove;
 #[cfg(feature = "prove")]
 pub mod show;
+#[cfg(feature = "prove")]
+pub mod validate;

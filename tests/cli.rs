@@ -39,3 +39,9 @@ mod show;
 #[cfg(feature = "prove")]
 #[path = "cli/usage.rs"]
 mod usage;
+#[cfg(feature = "prove")]
+#[path = "cli/validate.rs"]
+mod validate;
+#[cfg(feature = "prove")]
+#[path = "cli/values.rs"]
+mod values;

@@ -1,7 +1,7 @@
 //! The corpus: both checkers accept every file of certs/accept and reject every file of certs/reject.
 //!
 //! `cargo test --test corpus regenerate -- --ignored` writes it anew, the hand-made files from the cases of tests/rules and the others with
-//! the prover.
+//! the prover; `SUBJECT=… cargo test --test corpus regenerate_subject -- --ignored` the hand-made files of one subject.
 
 #[cfg(feature = "prove")]
 #[path = "../benches/chains.rs"]
@@ -117,6 +117,8 @@ fn every_rule_is_on_both_sides() {
         "separate",
         "monotone",
         "embedding",
+        "values",
+        "motion",
     ] {
         for verdict in ["accept", "reject"] {
             assert!(!files(&certs().join(verdict).join(rule)).is_empty(), "{verdict}/{rule}");
@@ -139,6 +141,7 @@ mod proved {
     use knotproof::prove::embedding;
     use knotproof::prove::linear_program::GoodLp;
     use knotproof::prove::msd::{Certified, Options, certify};
+    use knotproof::prove::values;
 
     use super::chains;
     use super::common::case::certs;
@@ -201,6 +204,36 @@ mod proved {
                 let path = certs().join(format!("accept/proved/{name}-embedding.json"));
                 std::fs::write(path, file.into_inner()).expect("writes");
             }
+        }
+    }
+
+    /// Results of operations on some of the example curves, with the distance of a point.
+    fn write_values() {
+        for name in [
+            "parabola",
+            "nurbs-circle",
+            "mp06-figure-1",
+            "unclamped-periodic",
+            "planar-degree-4",
+            "nurbs-space",
+        ] {
+            let path = certs().join("curves").join(format!("{name}.json"));
+            let file = read_curve(std::fs::read(path).expect(name)).expect(name);
+            let curve = file.curve;
+            let options = values::Options {
+                operations: None,
+                samples: 1,
+                targets: vec![vec![Rational::from_integer(2.into()); curve.dimension()]],
+                others: Vec::new(),
+                relative_width: tenth_to_the(9),
+                name: file.name,
+                snapped_joints: None,
+            };
+            let found = values::certify(&curve, &options).expect(name);
+            let mut file = Cursor::new(Vec::new());
+            domain::write_checked(&found.document, Encoding::Json, &mut file).expect(name);
+            let path = certs().join(format!("accept/proved/{name}-values.json"));
+            std::fs::write(path, file.into_inner()).expect("writes");
         }
     }
 
@@ -309,6 +342,7 @@ mod proved {
         );
         write(&mut trace, Encoding::Binary, "trace-200");
         write_domains();
+        write_values();
     }
 }
 
@@ -328,4 +362,22 @@ fn regenerate() {
         std::fs::write(path, &case.bytes).expect("writes");
     }
     proved::write_all();
+}
+
+/// The hand-made files of one subject anew, the others left as they are.
+#[test]
+#[ignore = "writes the files of the subject that the environment variable SUBJECT names"]
+fn regenerate_subject() {
+    let subject = std::env::var("SUBJECT").expect("SUBJECT names a subject of tests/rules");
+    for verdict in ["accept", "reject"] {
+        let folder = certs().join(verdict).join(&subject);
+        if folder.exists() {
+            std::fs::remove_dir_all(&folder).expect("removes the old files");
+        }
+    }
+    for case in recipes().iter().filter(|case| case.subject == subject) {
+        let path = certs().join(case.path());
+        std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        std::fs::write(path, &case.bytes).expect("writes");
+    }
 }

@@ -155,8 +155,8 @@ fn threads_do_not_change_the_certificate() {
     assert!(alone == together);
 }
 
-/// The points of a curve at the ends of the leaves' nodes, in their order, `finer` parts in each gap.
-fn inscribed(curve: &Curve, tokens: &[String], finer: i64) -> Vec<Vec<f64>> {
+/// The ends of the leaves' nodes, in their order.
+fn ends(curve: &Curve, tokens: &[String]) -> Vec<Rational> {
     let whole = |i: usize| Rational::from_integer(i.into());
     let mut ends = Vec::new();
     for (token, pair) in tokens.iter().zip(pairs(&elements(curve, false), tokens)) {
@@ -176,6 +176,39 @@ fn inscribed(curve: &Curve, tokens: &[String], finer: i64) -> Vec<Vec<f64>> {
     }
     ends.sort();
     ends.dedup();
+    ends
+}
+
+/// The control points of the curve between the ends of the leaves' nodes, equal neighbours once.
+fn control_polygon(curve: &Curve, tokens: &[String]) -> Vec<Vec<f64>> {
+    let chain = curve.chain();
+    let whole = |i: usize| Rational::from_integer(i.into());
+    let mut points: Vec<Vec<Rational>> = Vec::new();
+    for cell in ends(curve, tokens).windows(2) {
+        for (i, piece) in chain.pieces().iter().enumerate() {
+            let (start, end) = (cell[0].clone().max(whole(i)), cell[1].clone().min(whole(i + 1)));
+            if start >= end {
+                continue;
+            }
+            let (start, end) = (start - whole(i), end - whole(i));
+            let mut section = piece.clone();
+            if end < whole(1) {
+                section = section.split(&end).expect("inside").0;
+            }
+            if start > whole(0) {
+                section = section.split(&(start / end)).expect("inside").1;
+            }
+            points.extend((0..=section.degree()).map(|k| section.point(k)));
+        }
+    }
+    points.dedup();
+    let float = |point: &Vec<Rational>| point.iter().map(RationalExt::to_f64).collect();
+    points.iter().map(float).collect()
+}
+
+/// The points of a curve at the ends of the leaves' nodes, in their order, `finer` parts in each gap.
+fn inscribed(curve: &Curve, tokens: &[String], finer: i64) -> Vec<Vec<f64>> {
+    let ends = ends(curve, tokens);
     let mut parameters = vec![ends[0].clone()];
     for pair in ends.windows(2) {
         for k in 1..=finer {
@@ -222,17 +255,55 @@ fn inscribed_polygons_are_embedded_and_have_the_edges_stated() {
             let edges = points.len() - 1;
             let stated = certified.document.claim.statement.edges as usize;
             assert_eq!(edges, stated * finer as usize, "{name}");
-            let edge = |i: usize| [points[i].as_slice(), points[i + 1].as_slice()];
-            for i in 0..edges {
-                for j in i + 2..edges {
-                    if !(curve.is_closed() && i == 0 && j + 1 == edges) {
-                        let apart = distance(edge(i), edge(j));
-                        assert!(apart > 1e-6, "{name}: edges {i} and {j} are {apart} apart");
-                    }
-                }
+            no_edges_meet(&curve, &points, name);
+        }
+    }
+}
+
+/// Edges without a common vertex are apart.
+fn no_edges_meet(curve: &Curve, points: &[Vec<f64>], name: &str) {
+    let edges = points.len() - 1;
+    let edge = |i: usize| [points[i].as_slice(), points[i + 1].as_slice()];
+    for i in 0..edges {
+        for j in i + 2..edges {
+            if !(curve.is_closed() && i == 0 && j + 1 == edges) {
+                let apart = distance(edge(i), edge(j));
+                assert!(apart > 1e-6, "{name}: edges {i} and {j} are {apart} apart");
             }
         }
     }
+}
+
+#[test]
+fn control_polygons_are_embedded_and_have_the_edges_told() {
+    for name in [
+        "mp06-figure-1",
+        "trefoil-24",
+        "nurbs-circle",
+        "nurbs-space",
+        "space-degree-7",
+        "coincident-ends",
+    ] {
+        let curve = named(name);
+        let mut certified = embedded(&curve, name);
+        let certificate = Certificate::of_bytes(&bytes(&mut certified, Encoding::Json));
+        let points = control_polygon(&curve, &certificate.tokens());
+        assert_eq!(certified.control_polygon_edges, Some(points.len() as u64 - 1), "{name}");
+        no_edges_meet(&curve, &points, name);
+    }
+}
+
+#[test]
+fn a_control_polygon_that_goes_back_is_not_told_to_be_isotopic() {
+    // Small weights in the middle: the D_k increase along x, P₂ − P₁ does not. With equal weights the same polygon needs a finer tree.
+    let points = [vec![2, 1], vec![1, 1], vec![3, 0]];
+    let curve = chain(&[0, 0], &[points.to_vec()], &[10, 1, 1, 10], 2).expect("a piece");
+    let certified = embedded(&curve, "small weights");
+    assert_eq!(certified.document.claim.statement.edges, 1);
+    assert_eq!(certified.control_polygon_edges, None);
+    let curve = chain(&[0, 0], &[points.to_vec()], &[1; 4], 2).expect("a piece");
+    let edges = embedded(&curve, "equal weights").control_polygon_edges;
+    assert!(edges.is_some_and(|edges| edges > 3), "{edges:?}");
 }
 
 fn integers(numbers: impl IntoIterator<Item = i64>) -> RationalVector {

@@ -188,7 +188,7 @@ impl<C: AsClaim> Document<'_, C> {
     fn has_tree(&self) -> bool {
         match self.claim.as_claim() {
             ClaimRef::Msd(content) => content.has_tree,
-            ClaimRef::Domain(_) | ClaimRef::Curvature(_) | ClaimRef::Deviation(_) => false,
+            ClaimRef::Domain(_) | ClaimRef::Curvature(_) | ClaimRef::Deviation(_) | ClaimRef::Values(_) => false,
             ClaimRef::Embedding(_) | ClaimRef::Motion(_) => true,
             ClaimRef::Thickness(content) => content.has_tree(),
         }

@@ -18,7 +18,7 @@ pub const MOST_EDGES: u64 = 1 << 22;
 /// A part of a piece: the Bernstein coefficients of X (d columns) and w, all over one positive number.
 #[derive(Clone, Debug)]
 pub struct Part {
-    columns: Vec<Vec<Integer>>,
+    pub(super) columns: Vec<Vec<Integer>>,
 }
 
 /// Edges of the control polygon after subdivision, if there are not too many.
@@ -51,7 +51,8 @@ pub fn parts(chain: &Chain, piece: usize, subdivisions: u32) -> Vec<Part> {
 }
 
 impl Part {
-    fn halves(&self) -> [Part; 2] {
+    /// The parts on [0, 1/2] and [1/2, 1].
+    pub(super) fn halves(&self) -> [Part; 2] {
         let (left, right) = self.columns.iter().map(|column| halves(column)).unzip();
         [Part { columns: left }, Part { columns: right }].map(Part::reduced)
     }

@@ -20,6 +20,7 @@ pub mod rule;
 pub mod section;
 pub mod tangents;
 mod thickness;
+pub mod values;
 pub mod word;
 
 use std::fmt;
@@ -56,6 +57,11 @@ pub enum Place {
     },
     /// The evidence of a claim without a tree.
     Evidence,
+    /// An entry of the statement.
+    Entry {
+        /// Its number, from 0.
+        number: usize,
+    },
     /// Between the tokens.
     Token {
         /// Number of the token, from 0.
@@ -74,10 +80,8 @@ pub enum Place {
         track: &'static str,
         /// Number of the token among those of the event, from 0.
         token: u64,
-        /// First node.
-        a: String,
-        /// Second node.
-        b: String,
+        /// First and second node.
+        nodes: Box<[String; 2]>,
     },
     /// A leaf at the time that an event leads to.
     EventLeaf {
@@ -172,15 +176,19 @@ impl fmt::Display for Place {
             Place::Upper { rule } => write!(f, "upper bound, rule {rule}"),
             Place::Pair { token, a, b } => write!(f, "tree, token {token}, pair ({a}; {b})"),
             Place::Evidence => f.write_str("evidence"),
+            Place::Entry { number } => write!(f, "statement.entries[{number}]"),
             Place::Token { number } => write!(f, "tree, token {number}"),
             Place::Event { number } => write!(f, "event {number}"),
             Place::EventPair {
                 number,
                 track,
                 token,
-                a,
-                b,
-            } => write!(f, "event {number}, {track}, token {token}, pair ({a}; {b})"),
+                nodes,
+            } => write!(
+                f,
+                "event {number}, {track}, token {token}, pair ({}; {})",
+                nodes[0], nodes[1]
+            ),
             Place::EventLeaf { number, track, leaf } => write!(f, "event {number}, {track}, leaf {leaf}"),
             Place::Contact { track } => write!(f, "contact of the {track}"),
         }
@@ -267,6 +275,9 @@ pub fn check<R: Read>(source: R) -> Verdict {
         Claim::Thickness(content) => check_thickness(&document.curve, content, &mut tokens),
         Claim::Curvature(content) => no_tokens(&mut tokens)
             .and_then(|()| curvature::check_curvature(&document.curve, content))
+            .map(|()| 0),
+        Claim::Values(content) => no_tokens(&mut tokens)
+            .and_then(|()| values::check_values(&document.curve, content))
             .map(|()| 0),
     };
     match outcome {

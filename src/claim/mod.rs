@@ -8,8 +8,10 @@ pub mod motion;
 pub mod msd;
 pub mod thickness;
 pub mod tree;
+pub mod values;
 
 /// What a certificate says and why, of one of the claims.
+#[allow(clippy::large_enum_variant, reason = "there is one for each file, not many")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Claim {
     /// The minimum separation distance.
@@ -25,7 +27,9 @@ pub enum Claim {
     /// The thickness.
     Thickness(thickness::Content),
     /// A moving curve.
-    Motion(motion::Content),
+    Motion(Box<motion::Content>),
+    /// Results of the basic operations.
+    Values(values::Content),
 }
 
 /// A borrowed [`Claim`].
@@ -45,6 +49,8 @@ pub enum ClaimRef<'a> {
     Thickness(&'a thickness::Content),
     /// A moving curve.
     Motion(&'a motion::Content),
+    /// Results of the basic operations.
+    Values(&'a values::Content),
 }
 
 /// The content of a certificate, of one claim or of any.
@@ -63,6 +69,7 @@ impl AsClaim for Claim {
             Claim::Embedding(content) => ClaimRef::Embedding(content),
             Claim::Thickness(content) => ClaimRef::Thickness(content),
             Claim::Motion(content) => ClaimRef::Motion(content),
+            Claim::Values(content) => ClaimRef::Values(content),
         }
     }
 }
@@ -106,6 +113,12 @@ impl AsClaim for embedding::Content {
 impl AsClaim for thickness::Content {
     fn as_claim(&self) -> ClaimRef<'_> {
         ClaimRef::Thickness(self)
+    }
+}
+
+impl AsClaim for values::Content {
+    fn as_claim(&self) -> ClaimRef<'_> {
+        ClaimRef::Values(self)
     }
 }
 
@@ -162,6 +175,14 @@ impl Claim {
     pub fn thickness(&self) -> Option<&thickness::Content> {
         match self {
             Claim::Thickness(content) => Some(content),
+            _ => None,
+        }
+    }
+
+    /// The content of the claim `values`, if it is that.
+    pub fn values(&self) -> Option<&values::Content> {
+        match self {
+            Claim::Values(content) => Some(content),
             _ => None,
         }
     }

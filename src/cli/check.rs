@@ -20,6 +20,7 @@ use super::output::{complain, say, say_json};
 #[cfg(feature = "import")]
 use super::reading::Reading;
 use super::thickness_words::{self, ThicknessLine};
+use super::values_words::{self, ValuesLine};
 use super::{Exit, Printing};
 
 /// Check certificates: replay their evidence in exact arithmetic
@@ -124,6 +125,12 @@ pub enum StatementLine {
     Motion {
         #[serde(flatten)]
         line: Box<MotionLine>,
+        #[serde(skip)]
+        words: String,
+    },
+    Values {
+        #[serde(flatten)]
+        line: ValuesLine,
         #[serde(skip)]
         words: String,
     },
@@ -238,6 +245,10 @@ pub fn statement(document: &Document) -> StatementLine {
             line: EmbeddingLine::new(&content.statement),
             words: embedding_words::in_words(&content.statement),
         },
+        Claim::Values(content) => StatementLine::Values {
+            line: ValuesLine::new(&content.statement),
+            words: values_words::in_words(&content.statement),
+        },
     }
 }
 
@@ -272,8 +283,10 @@ fn hexadecimal(bytes: &[u8]) -> String {
     })
 }
 
+#[cfg(feature = "prove")]
 impl StatementLine {
     /// The statement in words.
+    #[cfg(feature = "prove")]
     pub fn words(&self) -> &str {
         match self {
             StatementLine::Msd { words, .. }
@@ -282,6 +295,7 @@ impl StatementLine {
             | StatementLine::Thickness { words, .. }
             | StatementLine::Curvature { words, .. }
             | StatementLine::Embedding { words, .. }
+            | StatementLine::Values { words, .. }
             | StatementLine::Motion { words, .. } => words,
         }
     }
@@ -314,6 +328,7 @@ impl Outcome {
                     ),
                     StatementLine::Domain { words, .. }
                     | StatementLine::Deviation { words, .. }
+                    | StatementLine::Values { words, .. }
                     | StatementLine::Curvature { words, .. } => {
                         format!("accepted: {input}: {words} (curve {curve}…)\n")
                     }

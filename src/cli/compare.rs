@@ -178,7 +178,7 @@ fn words(arguments: &Arguments, file: &CurveFile, rows: &[Row], seconds: f64) ->
     let (delta, epsilon_d) = (arguments.delta.format(), arguments.epsilon_d.format());
     let mut text = format!("{name}, δ = {delta}, ε_d = {epsilon_d}\n");
     let width = |of: &dyn Fn(&Row) -> usize| rows.iter().map(of).max().unwrap_or(0);
-    let quantities = width(&|row| row.quantity.chars().count());
+    let quantities = width(&|row| columns(&row.quantity));
     let values = width(&|row| value(row).chars().count());
     let mut method = "";
     for row in rows {
@@ -187,8 +187,8 @@ fn words(arguments: &Arguments, file: &CurveFile, rows: &[Row], seconds: f64) ->
             let _ = writeln!(text, "{method}");
         }
         let (quantity, value, standing) = (&row.quantity, value(row), row.standing.name());
-        let line = format!("  {quantity:quantities$}  {value:values$}  {standing}");
-        text.push_str(&line);
+        let space = " ".repeat(quantities - columns(quantity));
+        let _ = write!(text, "  {quantity}{space}  {value:values$}  {standing}");
         if let Some(remark) = &row.remark {
             let _ = write!(text, ": {remark}");
         }
@@ -196,6 +196,11 @@ fn words(arguments: &Arguments, file: &CurveFile, rows: &[Row], seconds: f64) ->
     }
     let _ = writeln!(text, "{seconds:.3} s");
     text
+}
+
+/// The columns that a text takes: the tilde of m̃ stands above its letter.
+fn columns(text: &str) -> usize {
+    text.chars().filter(|c| *c != '\u{303}').count()
 }
 
 fn markdown(rows: &[Row]) -> String {

@@ -4,6 +4,8 @@
 mod atomic_file;
 mod bounds;
 #[cfg(feature = "prove")]
+mod cases;
+#[cfg(feature = "prove")]
 mod certify;
 mod check;
 #[cfg(feature = "prove")]
@@ -23,6 +25,9 @@ mod reading;
 #[cfg(feature = "prove")]
 mod show;
 mod thickness_words;
+#[cfg(feature = "prove")]
+mod validate;
+mod values_words;
 
 use std::process::ExitCode;
 
@@ -51,6 +56,10 @@ enum Command {
     Check(check::Arguments),
     #[cfg(feature = "import")]
     Import(import::Arguments),
+    #[cfg(feature = "prove")]
+    Validate(validate::Arguments),
+    #[cfg(feature = "prove")]
+    Cases(cases::Arguments),
     #[cfg(feature = "prove")]
     Show(show::Arguments),
     #[cfg(feature = "prove")]
@@ -102,6 +111,10 @@ pub fn run() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         #[cfg(feature = "import")]
         Command::Import(arguments) => import::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Validate(arguments) => validate::run(&arguments),
+        #[cfg(feature = "prove")]
+        Command::Cases(arguments) => cases::run(&arguments),
         #[cfg(feature = "prove")]
         Command::Show(arguments) => show::run(&arguments),
         #[cfg(feature = "prove")]

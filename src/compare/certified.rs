@@ -106,6 +106,15 @@ fn embedding(curve: &Curve, progress: &dyn Fn(f64), rows: &mut Vec<Row>) -> Resu
                 Value::Between(statement.perturbation_radius.infinity.clone(), None),
                 Value::Between(statement.perturbation_radius.euclidean.clone(), None),
             ];
+            let control = found.control_polygon_edges.and_then(|edges| i64::try_from(edges).ok());
+            let control = Row::new(
+                METHOD,
+                "certified.control_polygon_edges",
+                "edges of an isotopic control polygon",
+                control.map_or(Value::None, Value::Count),
+                Standing::Proved,
+            );
+            rows.push(control.if_none("not shown: pieces are rational"));
             rows.extend(
                 keys.iter()
                     .zip(values)

@@ -12,6 +12,10 @@ use crate::number::{Integer, Rational, sqrt_enclosure};
 
 const CPJ12: &str = "CPJ12";
 const BEFORE: &str = "before CPJ12";
+/// Why there is no number of subdivisions.
+const NOTHING: &str = "the polygon is the curve: the formula takes log 0";
+/// Why there is none of the method before.
+const NONE: &str = "c' vanishes or K₁ is 0, or ε is 0 or above 2, or the enclosures do not tell";
 const POLYGON: &str = "polygon";
 /// √ is enclosed this closely.
 const ROOT_BITS: u32 = 96;
@@ -96,14 +100,15 @@ fn plan_rows(pieces: &[PieceMeasures], printed: &Plan, euclidean: &Plan) -> Vec<
             between(&euclidean.epsilon),
             Standing::Exact,
         ),
-        row("cpj12.m1", "m₁, equation (1)", count(printed.m1), Standing::Exact),
-        row("cpj12.m2", "m₂, equation (2)", count(printed.m2), Standing::Exact),
+        row("cpj12.m1", "m₁, equation (1)", count(printed.m1), Standing::Exact).if_none(NOTHING),
+        row("cpj12.m2", "m₂, equation (2)", count(printed.m2), Standing::Exact).if_none(NOTHING),
         row(
             "cpj12.m2_proved",
             "m₂ by the bound N∞(n−1)·‖Δ₂(ΔP)‖/4^m",
             count(printed.m2_proved),
             Standing::Exact,
-        ),
+        )
+        .if_none(NOTHING),
         row(
             "cpj12.m",
             "subdivisions m",
@@ -226,7 +231,8 @@ fn verdict(certified: &Certified, lower: &Rational, upper: &Rational) -> &'stati
 
 fn predecessor_rows(chain: &Chain, plan: &Plan, rows: &mut Vec<Row>) -> Result<(), ApproximationError> {
     let found = extremes(chain)?;
-    let mut row = |key, quantity: &str, value| rows.push(Row::new(BEFORE, key, quantity, value, Standing::Exact));
+    let mut row =
+        |key, quantity: &str, value| rows.push(Row::new(BEFORE, key, quantity, value, Standing::Exact).if_none(NONE));
     let between = |[lower, upper]: &[Rational; 2]| Value::Between(lower.clone(), Some(upper.clone()));
     let subdivisions = |m| match m {
         Subdivisions::Exactly(m) => Value::Count(m),

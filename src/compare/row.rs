@@ -4,7 +4,7 @@ use crate::number::{Rational, decimal_down, decimal_up, interval_digits, sqrt_de
 
 /// Digits of a number that stands alone.
 const DIGITS: usize = 10;
-/// At most so many digits of an interval.
+/// Intervals that need more digits than these are printed as numbers.
 const MOST_DIGITS: usize = 17;
 
 /// What a number rests on.
@@ -83,11 +83,12 @@ impl Value {
     }
 }
 
-/// Enough digits to tell the bounds apart, and not fewer than those of a number alone.
+/// Enough digits to tell the bounds apart, and not fewer than those of a number alone; so few also where the bounds are a number that is not rational,
+/// enclosed so narrowly that nothing is learnt from more.
 fn digits(lower: &Rational, upper: &Rational) -> usize {
-    match lower == upper {
-        true => DIGITS,
-        false => interval_digits(lower, upper).clamp(DIGITS, MOST_DIGITS),
+    match interval_digits(lower, upper) {
+        needed if lower == upper || needed > MOST_DIGITS => DIGITS,
+        needed => needed.max(DIGITS),
     }
 }
 
@@ -125,6 +126,14 @@ impl Row {
             standing,
             remark: None,
         }
+    }
+
+    /// The same with a remark if it has no value.
+    pub fn if_none(mut self, remark: &str) -> Row {
+        if self.value == Value::None {
+            self.remark = Some(remark.into());
+        }
+        self
     }
 
     /// The same with a remark.

@@ -111,7 +111,7 @@ impl BSpline {
 }
 
 /// Control points that act nowhere in the domain repeat the nearest one that does.
-fn fill(mut control: Vec<Option<Homogeneous>>) -> Vec<Homogeneous> {
+pub(super) fn fill(mut control: Vec<Option<Homogeneous>>) -> Vec<Homogeneous> {
     for i in (0..control.len().saturating_sub(1)).rev() {
         if control[i].is_none() {
             control[i] = control[i + 1].clone();

@@ -96,6 +96,11 @@ impl Homogeneous {
             .collect()
     }
 
+    /// Whether there is a weight and it is positive.
+    pub(super) fn has_positive_weight(&self, dimension: usize) -> bool {
+        self.numerators.get(dimension).is_some_and(Integer::is_positive)
+    }
+
     fn reduced(mut self) -> Homogeneous {
         let mut gcd = self.denominator.clone();
         for x in &self.numerators {

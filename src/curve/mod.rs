@@ -38,6 +38,7 @@ mod joint;
 mod operation;
 mod periodic;
 mod read;
+mod remove;
 mod split;
 mod write;
 

@@ -19,6 +19,8 @@ pub enum OperationError {
         /// The degree that would result.
         degree: usize,
     },
+    /// The knot does not occur so often, or the curve would be another one without it.
+    NotRemovable,
     /// The result would have more than [`MAXIMUM_PIECES`](super::MAXIMUM_PIECES) control points.
     TooMany,
 }
@@ -36,6 +38,7 @@ impl fmt::Display for OperationError {
                 "the degree would be {degree}, expected at most {}",
                 super::MAXIMUM_DEGREE
             ),
+            OperationError::NotRemovable => write!(f, "the knot cannot be removed so often without changing the curve"),
             OperationError::TooMany => write!(
                 f,
                 "the result would have more than {} control points",

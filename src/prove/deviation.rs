@@ -185,7 +185,7 @@ fn shift(x: &Rational) -> i64 {
 }
 
 /// A short fraction that is not greater, or the number itself when it is short.
-fn rounded_down(x: &Rational) -> Rational {
+pub(super) fn rounded_down(x: &Rational) -> Rational {
     match u32::try_from(shift(x)) {
         Ok(bits) if x.denom().bits() > u64::from(bits) => Rational::new(x.floor_shifted(bits), Integer::ONE << bits),
         _ => x.clone(),
@@ -193,7 +193,7 @@ fn rounded_down(x: &Rational) -> Rational {
 }
 
 /// A short fraction that is not smaller, or the number itself when it is short.
-fn rounded_up(x: &Rational) -> Rational {
+pub(super) fn rounded_up(x: &Rational) -> Rational {
     match u32::try_from(shift(x)) {
         Ok(bits) if x.denom().bits() > u64::from(bits) => Rational::new(x.ceil_shifted(bits), Integer::ONE << bits),
         _ => x.clone(),

@@ -20,6 +20,7 @@ mod seeds;
 pub mod thickness;
 mod tree;
 mod upper;
+pub mod values;
 mod vector;
 
 /// The program that writes certificates.

@@ -43,6 +43,7 @@ impl Scene {
             Claim::Deviation(content) => scene.deviation(content),
             Claim::Domain(content) => scene.domain(content),
             Claim::Motion(content) => scene.motion(&document.curve, content, tokens),
+            Claim::Values(content) => scene.values(&document.curve, content),
         }
         scene
     }

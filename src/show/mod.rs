@@ -12,6 +12,7 @@ mod scene;
 mod segment;
 mod svg;
 mod ticks;
+mod values;
 mod view;
 
 pub use html::{Report, html};

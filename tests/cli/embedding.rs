@@ -22,6 +22,11 @@ fn an_embedded_curve() {
         json["edges"].as_u64().is_some_and(|edges| (6..=40).contains(&edges)),
         "{json}"
     );
+    // Cubic pieces, cells within them.
+    assert_eq!(
+        json["control_polygon_edges"].as_u64(),
+        json["edges"].as_u64().map(|edges| 3 * edges)
+    );
     for field in ["perturbation_radius", "perturbation_radius_euclidean"] {
         let radius: f64 = json[field]
             .as_str()

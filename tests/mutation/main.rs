@@ -7,6 +7,7 @@ mod bend;
 mod common;
 mod half_plane;
 mod motion;
+mod operations;
 #[path = "../rules/subjects/mod.rs"]
 mod subjects;
 mod truth;
@@ -480,4 +481,10 @@ fn thickness() {
     run_with("segment", &subjects::thickness::segment(), bend::thickness_is_true);
     run_with("circle", &subjects::thickness::circle(), bend::thickness_is_true);
     run_with("corner", &subjects::thickness::corner(), bend::thickness_is_true);
+}
+
+#[test]
+fn results_of_operations() {
+    let everything = subjects::values::everything();
+    run_with("everything", &everything, operations::values_are_true);
 }

@@ -55,6 +55,7 @@ verified!(
     deviation,
     thickness,
     motion,
+    values,
 );
 
 #[test]

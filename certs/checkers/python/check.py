@@ -19,12 +19,13 @@ import embedding
 import motion
 import msd
 import thickness
+import values
 from curve import curve_block, read_chain
 from document import BinaryReader, Reject, anything, expect, natural, parse_json, record, text, variant
 
 # modules with STATEMENT, evidence_of, check and sentence
 CLAIMS = {"msd": msd, "domain": domain, "embedding": embedding, "curvature": curvature,
-          "thickness": thickness, "deviation": deviation, "motion": motion}
+          "thickness": thickness, "deviation": deviation, "motion": motion, "values": values}
 MAX_HEADER = 16_777_216
 MAX_JSON_BYTES = (1 << 30) - 1
 MAGIC = b"KNOTCRT1"

@@ -74,8 +74,8 @@ def read_chain(reader):
     if kind == 0:
         degree = reader.count("degree", 1, MAX_DEGREE)
         count = reader.count("number of points", degree + 1, MAX_COUNT)
-        knots = reader.vector(count + degree + 1, "knots")[1]
-        source = Source(degree, knots, [control_points(count)])
+        knot_scale, knots = reader.vector(count + degree + 1, "knots")
+        source = Source(degree, knots, [control_points(count)], knot_scale)
         check_knots(degree, knots, count)
         pieces = source.pieces(source.lists)
     else:
@@ -216,12 +216,13 @@ class Arc(NamedTuple):
 class Source(NamedTuple):
     """The curve as it is given: the control points of a B-spline, or of each Bézier piece, each list with its scale.
 
-    The knots (up to a common factor) and the degree are None for Bézier pieces.
+    The knots are integers over knot_scale; they and the degree are None for Bézier pieces.
     """
 
     degree: int
     knots: list
     lists: list
+    knot_scale: int = 1
 
     def pieces(self, lists):
         """The pieces that these lists in place of the own ones make, each with its scale."""

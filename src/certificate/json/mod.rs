@@ -12,6 +12,7 @@ mod raw;
 mod read;
 mod thickness;
 mod tree;
+mod values;
 mod write;
 
 pub use read::{Texts, read, read_header};

@@ -9,7 +9,7 @@ use super::super::{Document, FormatError};
 use super::motion_events::TextEvent;
 use super::numbers::{Parsed, numbers, points, shortened};
 use super::raw::{InBlock, Object, RawClaim, RawCurve, RawDocument, Text};
-use super::{curvature, deviation, domain, embedding, motion, msd, thickness};
+use super::{curvature, deviation, domain, embedding, motion, msd, thickness, values};
 use crate::claim::Claim;
 use crate::curve::{BSpline, Bezier, Curve, Form, MAXIMUM_PIECES};
 
@@ -53,6 +53,16 @@ fn curve(raw: RawCurve) -> Parsed<Curve> {
         }
         _ => Err(FormatError::malformed("curve", "expected either bspline or bezier")),
     }
+}
+
+/// Reads a curve whose own place is `place`.
+pub fn curve_at(raw: RawCurve, place: &str) -> Parsed<Curve> {
+    curve(raw).map_err(|error| match error {
+        FormatError::Malformed { place: within, what } => {
+            FormatError::malformed(format!("{place}{}", within.trim_start_matches("curve")), what)
+        }
+        other => other,
+    })
 }
 
 /// What a claim streams, as far as it is in the JSON form.
@@ -109,6 +119,10 @@ impl Header<'_> {
                 let (content, tokens) = thickness::read(self.statement, self.evidence, self.block, dimension)?;
                 (Claim::Thickness(content), tokens)
             }
+            "values" => {
+                let content = values::read(self.statement, self.evidence, dimension)?;
+                (Claim::Values(content), Vec::new())
+            }
             "embedding" => {
                 let (content, tokens) = embedding::read(self.statement, self.evidence, self.block)?;
                 (Claim::Embedding(content), tokens)
@@ -116,11 +130,11 @@ impl Header<'_> {
             "motion" => {
                 let (content, events) = motion::read(self.statement, self.evidence, self.block, dimension)?;
                 motion_events = Some(events);
-                (Claim::Motion(content), Vec::new())
+                (Claim::Motion(Box::new(content)), Vec::new())
             }
             other => {
                 let what = format!(
-                    "found {:?}, expected \"msd\", \"domain\", \"embedding\", \"curvature\", \"thickness\", \"deviation\" or \"motion\"",
+                    "found {:?}, expected \"msd\", \"domain\", \"embedding\", \"curvature\", \"thickness\", \"deviation\", \"motion\" or \"values\"",
                     shortened(other)
                 );
                 return Err(FormatError::malformed("statement.claim", what));

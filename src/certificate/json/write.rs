@@ -4,7 +4,7 @@ use std::io::{self, Read, Write};
 
 use super::super::Document;
 use super::super::block::{self, hexadecimal};
-use super::{curvature, deviation, domain, embedding, motion, msd, thickness};
+use super::{curvature, deviation, domain, embedding, motion, msd, thickness, values};
 use crate::claim::{AsClaim, ClaimRef};
 use crate::curve::{Curve, Form};
 use crate::number::{RationalExt, RationalVector};
@@ -79,6 +79,12 @@ fn rest<C: AsClaim, R: Read, W: Write>(
             out.write_all(text.as_bytes())?;
             thickness::write_evidence(&content.evidence, document.curve.dimension(), tree, out)?;
         }
+        ClaimRef::Values(content) => {
+            text.push_str(&values::statement_text(&content.statement));
+            text.push_str(between);
+            text.push_str(&values::evidence_text(&content.evidence, document.curve.dimension()));
+            out.write_all(text.as_bytes())?;
+        }
         ClaimRef::Curvature(content) => {
             text.push_str(&curvature::statement_text(&content.statement));
             text.push_str(between);
@@ -105,7 +111,8 @@ fn preamble<C>(document: &Document<C>, out: &mut String) {
     }
 }
 
-fn curve_text(curve: &Curve, out: &mut String) {
+/// A curve as it stands in a certificate.
+pub fn curve_text(curve: &Curve, out: &mut String) {
     let dimension = curve.dimension();
     match curve.form() {
         Form::BSpline(spline) => {

@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use super::parts::Known;
 use super::positions::Positions;
 use super::runs::Bounds;
 use super::shape::{Matrix, Node, PartRows, Shape};
@@ -19,8 +20,10 @@ pub enum Points<'p> {
     Span(usize, usize),
     /// Positions in a row: the control points of a polynomial piece.
     Direct(usize, usize),
-    /// A part, and its hull points times their weights if they are known.
-    Part(&'p PartRows, Option<&'p [[i64; 3]]>),
+    /// A part.
+    Part(&'p PartRows),
+    /// A polynomial part whose hull points are known.
+    Known(Known<'p>),
 }
 
 fn narrow<W: Word>(point: &[i64; 3]) -> Option<[W; 3]> {
@@ -96,15 +99,16 @@ impl Points<'_> {
                 Some((0..8).map(corner).collect())
             }
             Points::Direct(first, last) => (first..=last).map(|place| position(positions, place)).collect(),
-            Points::Part(_, Some(known)) => known.iter().map(narrow).collect(),
-            Points::Part(rows, None) => product(&rows.hull, rows, positions),
+            Points::Known(known) => known.points.iter().map(narrow).collect(),
+            Points::Part(rows) => product(&rows.hull, rows, positions),
         }
     }
 
     /// The weights of the hull points, one if they are equal.
     fn weights<W: Word>(&self) -> Option<Vec<W>> {
         match self {
-            Points::Part(rows, _) => rows.weights.iter().map(W::from_integer).collect(),
+            Points::Part(rows) => rows.weights.iter().map(W::from_integer).collect(),
+            Points::Known(known) => Some(vec![W::from_i128(i128::from(known.weight))?]),
             _ => Some(vec![W::from_i128(1)?]),
         }
     }
@@ -128,7 +132,7 @@ impl Points<'_> {
     /// Is every D_k zero or n·D_k > 0, and not all of them zero?
     fn forward<W: Word>(&self, positions: &Positions, n: &[W; 3]) -> Option<bool> {
         let vectors: Vec<[W; 3]> = match self {
-            Points::Part(rows, _) if rows.tangents.is_some() => match &rows.tangents {
+            Points::Part(rows) if rows.tangents.is_some() => match &rows.tangents {
                 Some(tangents) => product(tangents, rows, positions)?,
                 None => Vec::new(),
             },
@@ -213,7 +217,7 @@ pub fn obligation(shape: &mut Shape, positions: &Positions, a: &Node, b: Option<
         (Leaf::Separate(n), Some(b)) => {
             let [rows_a, rows_b] = [a, b].map(|node| hull_rows(shape, node));
             let [points_a, points_b] = [(a, &rows_a), (b, &rows_b)].map(|(node, rows)| match rows {
-                Some(rows) => Points::Part(rows, None),
+                Some(rows) => Points::Part(rows),
                 None => {
                     let (first, last) = (*shape.places(node).start(), *shape.places(node).end());
                     match node {
@@ -236,7 +240,7 @@ pub fn obligation(shape: &mut Shape, positions: &Positions, a: &Node, b: Option<
                     };
                     let rows = hull_rows(shape, &part);
                     let points = match &rows {
-                        Some(rows) => Points::Part(rows, None),
+                        Some(rows) => Points::Part(rows),
                         None => Points::Direct(shape.pieces[piece].first, shape.pieces[piece].last),
                     };
                     if !goes(points, positions, n) {

@@ -205,12 +205,11 @@ impl<'c, S: EventSource> Replay<'c, S> {
                 number: self.number,
                 track: kind.name(),
                 token: error.token,
-                a: error.a.to_string(),
-                b: error.b.to_string(),
+                nodes: Box::new([error.a.to_string(), error.b.to_string()]),
             };
             return Err(Rejection {
                 place,
-                reason: error.reason,
+                reason: *error.reason,
             });
         }
         if self.events.tokens_left() {

@@ -11,6 +11,7 @@ mod output_file;
 pub mod progress;
 mod report;
 mod thickness;
+mod values;
 
 use clap::{Args, Subcommand};
 
@@ -33,6 +34,7 @@ enum Claim {
     Embedding(Box<embedding::Arguments>),
     Motion(Box<motion::Arguments>),
     Thickness(thickness::Arguments),
+    Values(values::Arguments),
 }
 
 /// Runs the subcommand.
@@ -45,5 +47,6 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         Claim::Embedding(arguments) => embedding::run(*arguments),
         Claim::Motion(arguments) => motion::run(&arguments),
         Claim::Thickness(arguments) => thickness::run(&arguments),
+        Claim::Values(arguments) => values::run(&arguments),
     }
 }

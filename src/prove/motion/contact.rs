@@ -60,6 +60,9 @@ fn times(rest: &Rest) -> Vec<Rational> {
     kept
 }
 
+/// How many leaves the search of the curve at one time may have, beside 64 for each piece.
+const LEAVES: u64 = 10_000;
+
 /// A contact at one of some times, found by a search of the whole curve there.
 fn at_one_time(stage: &Stage, rest: &Rest) -> Option<Contact> {
     times(rest).into_iter().find_map(|fraction| {
@@ -78,7 +81,11 @@ fn at_one_time(stage: &Stage, rest: &Rest) -> Option<Contact> {
                 t: Rational::from_integer(count.into()),
             });
         }
-        let found = embedding::certify(&curve, &embedding::Options::default(), &|_| ()).ok()?;
+        let options = embedding::Options {
+            budget: Some(LEAVES + 64 * count as u64),
+            ..embedding::Options::default()
+        };
+        let found = embedding::certify(&curve, &options, &|_| ()).ok()?;
         let Outcome::MeetsItself(certified) = found else {
             return None;
         };

@@ -19,7 +19,9 @@ const NEAR: u32 = 12;
 /// At which fractions 2^-k of a step a meeting is looked for.
 const LOOKS: [u32; 5] = [0, 6, 12, 20, TICKS];
 /// Leaves that one leaf may be replaced by.
-const REPLACEMENTS: u64 = 20_000;
+const REPLACEMENTS: u64 = 4_000;
+/// Leaves that may be found in one step, in vain or not, before a track is given up; beside twice those of its last whole tree.
+const EFFORT: u64 = 12_000;
 /// How often pieces are halved, at time 0 and in new trees.
 const DEPTH: u32 = 34;
 
@@ -47,6 +49,8 @@ pub struct Follower<'c> {
     denominator: &'c Integer,
     /// Were all leaves found to hold when they were last looked at, at the current time?
     looked: bool,
+    /// Leaves found in the present step, in vain or not.
+    effort: u64,
     /// A meeting in the present step.
     contact: Option<Contact>,
     /// Where the last search came to an end, and up to what time it was to go.
@@ -110,6 +114,7 @@ impl<'c> Follower<'c> {
             budget,
             denominator,
             looked: true,
+            effort: 0,
             contact: None,
             stuck: None,
         };
@@ -234,7 +239,9 @@ impl<'c> Follower<'c> {
                 budget: REPLACEMENTS,
                 tokens: Vec::new(),
             };
-            if let Err(stuck) = search.cover(a, b) {
+            let outcome = search.cover(a, b);
+            self.effort += REPLACEMENTS - search.budget;
+            if let Err(stuck) = outcome {
                 return Ok(Err(Failure::Stuck(stuck)));
             }
             let tokens = search.tokens;
@@ -309,6 +316,7 @@ impl Stretch<'_> {
         for follower in active.iter_mut() {
             follower.contact = None;
             follower.stuck = None;
+            follower.effort = 0;
         }
         while at < WHOLE {
             let to = (at + (WHOLE >> width)).min(WHOLE);
@@ -366,14 +374,11 @@ impl Stretch<'_> {
             let mut given_up = false;
             for (i, inexact) in failed.into_iter().rev() {
                 let follower = &mut active[i];
-                if follower.contact.is_none() && LOOKS.contains(&width) && !inexact {
+                let exhausted = width >= TICKS || follower.effort > EFFORT + 2 * follower.planted as u64;
+                if follower.contact.is_none() && (exhausted || LOOKS.contains(&width)) && !inexact {
                     follower.contact = self.look_for_contact(follower, at, false);
                 }
-                let last = match follower.contact {
-                    Some(_) => NEAR,
-                    None => TICKS,
-                };
-                if inexact || width >= last {
+                if inexact || exhausted || follower.contact.is_some() && width >= NEAR {
                     lost.push(self.lose(active.remove(i), at, events)?);
                     given_up = true;
                 }

@@ -29,6 +29,7 @@ pub mod text;
 pub mod thickness;
 pub mod touch;
 pub mod tree;
+pub mod values;
 
 use serde_json::{Value, json};
 
@@ -68,6 +69,7 @@ pub fn all() -> Vec<(&'static str, fn() -> Vec<Case>)> {
         ("deviation", deviation::cases),
         ("thickness", thickness::cases),
         ("motion", motion::cases),
+        ("values", values::cases),
     ]
 }
 

@@ -3,7 +3,9 @@
 //! Nothing but the leaves that a move touches is looked at again: a control point belongs to a few pieces, a piece to itself, its parts and
 //! the runs around it, and these to the leaves that name them. When most points move, all leaves are gone through in a row.
 
-use super::obligation::{self, Points, goes, separated};
+mod holds;
+
+use super::obligation;
 use super::parts::Parts;
 use super::positions::Positions;
 use super::runs::Runs;
@@ -68,6 +70,8 @@ struct Monotone {
     seen: u32,
     a: Node,
     b: Option<Node>,
+    /// The numbers of the nodes among the parts, where they are parts whose hull points are not control points as they are.
+    parts: [Option<u32>; 2],
 }
 
 /// Where a leaf is.
@@ -97,7 +101,7 @@ pub struct TreeError {
     /// Second node of the pair; the first one again if it is a pair of one node.
     pub b: Node,
     /// What is wrong.
-    pub reason: Reason,
+    pub reason: Box<Reason>,
 }
 
 /// The leaves of a track.
@@ -242,7 +246,7 @@ impl<'c> Table<'c> {
                 token,
                 a,
                 b: b.unwrap_or(a),
-                reason,
+                reason: Box::new(reason),
             };
             let next = match tokens.next_token() {
                 Ok(Some(next)) => next,
@@ -304,7 +308,15 @@ impl<'c> Table<'c> {
                 self.separate.push(record);
             }
             (Leaf::Monotone(n), b) => {
+                let mut parts = [None; 2];
+                for (node, part) in std::iter::once(a).chain(b).zip(&mut parts) {
+                    self.prepare(positions, &node);
+                    if let Node::Part { piece, depth, index } = node {
+                        *part = self.parts.find((piece, depth, index)).map(|part| part as u32);
+                    }
+                }
                 let record = Monotone {
+                    parts,
                     direction: Direction::new(n),
                     rows: self.rows(&a, b.as_ref()),
                     number,
@@ -312,9 +324,6 @@ impl<'c> Table<'c> {
                     a,
                     b,
                 };
-                for node in std::iter::once(a).chain(b) {
-                    self.prepare(positions, &node);
-                }
                 if !self.holds_forward(&record, positions) {
                     return obligation::not_forward();
                 }
@@ -545,111 +554,4 @@ impl<'c> Table<'c> {
             true
         });
     }
-
-    /// May n·(p − q) be computed in 64 bits for all positions p, q?
-    fn short(&self, direction: &Direction, positions: &Positions) -> bool {
-        positions.narrow().is_some() && u32::from(direction.bits) + positions.bits() < 62
-    }
-
-    fn points(&self, number: Number, positions: &Positions) -> Points<'_> {
-        let number = number as usize;
-        match number.checked_sub(self.runs.count()) {
-            Some(part) => {
-                let part = self.parts.get(part);
-                Points::Part(&part.rows, part.known())
-            }
-            None => {
-                let span = self.runs.span(number);
-                let (first, last) = (
-                    self.shape.pieces[span.start].first,
-                    self.shape.pieces[span.end - 1].last,
-                );
-                match (span.len(), positions.narrow()) {
-                    (1, _) => Points::Direct(first, last),
-                    (_, Some(_)) => Points::Bounds(self.runs.bounds(number)),
-                    (_, None) => Points::Span(first, last),
-                }
-            }
-        }
-    }
-
-    fn holds_apart(&self, leaf: &Separate, positions: &Positions) -> bool {
-        let runs = self.runs.count();
-        if (leaf.a as usize) < runs && (leaf.b as usize) < runs && self.short(&leaf.direction, positions) {
-            // The box of a piece contains its control points, so that this is enough.
-            let (a, b) = (self.runs.bounds(leaf.a as usize), self.runs.bounds(leaf.b as usize));
-            let n = &leaf.direction.n;
-            let gap = |axis: usize| n[axis] * (a[leaf.corners.0[axis] as usize] - b[leaf.corners.1[axis] as usize]);
-            if gap(0) + gap(1) + gap(2) > 0 {
-                return true;
-            }
-        }
-        separated(
-            self.points(leaf.a, positions),
-            self.points(leaf.b, positions),
-            positions,
-            &leaf.direction.exact(),
-        )
-    }
-
-    fn holds_forward(&self, leaf: &Monotone, positions: &Positions) -> bool {
-        if leaf.rows[0] != NO_ROW
-            && let Some(points) = positions.narrow()
-            && self.short(&leaf.direction, positions)
-            && leaf
-                .rows
-                .iter()
-                .all(|row| *row == NO_ROW || increases(&points[row.0 as usize..=row.1 as usize], &leaf.direction.n))
-        {
-            return true;
-        }
-        std::iter::once(&leaf.a).chain(&leaf.b).all(|node| match *node {
-            Node::Part {
-                piece,
-                depth: depth @ 1..,
-                index,
-            } => {
-                let part = self.parts.find((piece, depth, index)).map(|part| self.parts.get(part));
-                part.is_some_and(|part| {
-                    goes(
-                        Points::Part(&part.rows, part.known()),
-                        positions,
-                        &leaf.direction.exact(),
-                    )
-                })
-            }
-            _ => node
-                .pieces()
-                .all(|piece| self.piece_goes(&leaf.direction, piece, positions)),
-        })
-    }
-
-    fn piece_goes(&self, direction: &Direction, piece: usize, positions: &Positions) -> bool {
-        let shape = &self.shape.pieces[piece];
-        if !shape.direct {
-            let part = self.parts.find((piece, 0, 0)).map(|part| self.parts.get(part));
-            return part
-                .is_some_and(|part| goes(Points::Part(&part.rows, part.known()), positions, &direction.exact()));
-        }
-        if self.short(direction, positions)
-            && let Some(points) = positions.narrow()
-            && increases(&points[shape.first..=shape.last], &direction.n)
-        {
-            return true;
-        }
-        goes(Points::Direct(shape.first, shape.last), positions, &direction.exact())
-    }
-}
-
-/// Does n·P increase strictly along the points? All products are known to fit.
-fn increases(points: &[[i64; 3]], n: &[i64; 3]) -> bool {
-    let product = |p: &[i64; 3]| p[0] * n[0] + p[1] * n[1] + p[2] * n[2];
-    let mut before = product(&points[0]);
-    let mut holds = true;
-    for point in &points[1..] {
-        let here = product(point);
-        holds &= here > before;
-        before = here;
-    }
-    holds
 }
