@@ -23,7 +23,7 @@ use crate::cli::values_words::{ValuesLine, in_words};
 /// The checker recomputes every result by another formula. Distances are given as intervals.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1; "-" is standard input.
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
     curve: Input,
     /// Which operations, with commas between: point, derivative, curvature, torsion, insert_knot, remove_knot, elevate_degree, split, decompose, nearest_point,
     /// curve_distance [default: all that the curve has]
@@ -91,7 +91,7 @@ struct Without {
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     standard_input_once(std::iter::once(&arguments.curve).chain(&arguments.other))?;
     let target = arguments.common.target(&arguments.curve)?;
-    let file = arguments.curve.read_curve(arguments.common.snap_joints)?;
+    let file = arguments.common.read(&arguments.curve)?;
     let others = arguments
         .other
         .iter()
