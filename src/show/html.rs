@@ -10,7 +10,7 @@ use super::{Item, Point, Scene, Segment, Shape};
 const PAGE: &str = include_str!("html/page.html");
 const STYLE: &str = include_str!("html/style.css");
 const VIEWER: &str = include_str!("html/viewer.js");
-/// The checker, compiled to WebAssembly from `src/show/checker` by its `build.sh`, and compressed.
+/// The checker, compiled to WebAssembly from `certs/checkers/wasm` by its `build.sh`, and compressed.
 const CHECKER: &[u8] = include_bytes!("html/checker.wasm.gz");
 
 /// Points of a piece that is drawn as a polygon.

@@ -16,5 +16,5 @@ for crates in "${CARGO_HOME:-$HOME/.cargo}"/registry/src/*; do
 done
 RUSTFLAGS=$flags \
     cargo build --release --locked --target wasm32-unknown-unknown --target-dir "$target" "${options[@]}"
-gzip -9n <"$target/wasm32-unknown-unknown/release/knotproof_checker.wasm" >../html/checker.wasm.gz
-ls -l ../html/checker.wasm.gz
+gzip -9n <"$target/wasm32-unknown-unknown/release/knotproof_checker.wasm" >../../../src/show/html/checker.wasm.gz
+ls -l ../../../src/show/html/checker.wasm.gz
