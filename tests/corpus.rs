@@ -1,7 +1,7 @@
 //! The corpus: both checkers accept every file of certs/accept and reject every file of certs/reject.
 //!
 //! `cargo test --test corpus regenerate -- --ignored` writes it anew, the hand-made files from the cases of tests/rules and the others with
-//! the prover; `SUBJECT=… cargo test --test corpus regenerate_subject -- --ignored` the hand-made files of one subject.
+//! the prover; `SUBJECT=… cargo test --test corpus renew_subject -- --ignored` the hand-made files of one subject.
 
 #[cfg(feature = "prove")]
 #[path = "../benches/chains.rs"]
@@ -367,7 +367,7 @@ fn regenerate() {
 /// The hand-made files of one subject anew, the others left as they are.
 #[test]
 #[ignore = "writes the files of the subject that the environment variable SUBJECT names"]
-fn regenerate_subject() {
+fn renew_subject() {
     let subject = std::env::var("SUBJECT").expect("SUBJECT names a subject of tests/rules");
     for verdict in ["accept", "reject"] {
         let folder = certs().join(verdict).join(&subject);
