@@ -163,7 +163,9 @@ fn inserted_and_removed_knots() {
         parameter: 0.5,
         times: 1,
     };
-    right(inserted.clone(), remove(), Returned::Curve(quarter()));
+    // Binary64 holds the cubic with its knot exactly, so that the knot can be taken out again; the circle's is rounded.
+    let inserted = FloatCurve::rounded(&cubic().exact().unwrap().insert_knot(&half, 1).unwrap());
+    right(inserted.clone(), remove(), Returned::Curve(cubic()));
     wrong(inserted.clone(), remove(), Returned::Curve(inserted), Kind::OtherForm);
 }
 
