@@ -46,6 +46,7 @@ impl AtomicFile {
     }
 
     /// The path as it was given.
+    #[cfg(feature = "prove")]
     pub fn path(&self) -> &Path {
         &self.shown
     }
