@@ -204,9 +204,10 @@ impl Report<'_> {
         if let Some(criteria) = self.criteria() {
             let word =
                 |first: Option<u64>| first.map_or("never fails".to_string(), |step| format!("fails at step {step}"));
-            let both = |infinity: Option<u64>, euclidean: Option<u64>| match infinity == euclidean {
-                true => format!("{} in both norms", word(infinity)),
-                false => format!(
+            let both = |infinity: Option<u64>, euclidean: Option<u64>| match (infinity, euclidean) {
+                (None, None) => "never fails in either norm".to_string(),
+                (infinity, euclidean) if infinity == euclidean => format!("{} in both norms", word(infinity)),
+                (infinity, euclidean) => format!(
                     "{} in the ∞-norm, {} in the Euclidean norm",
                     word(infinity),
                     word(euclidean)
