@@ -59,7 +59,7 @@ or no answer within the time allowed, *not offered* an operation that the engine
 whether a part is put on [0, 1], are conventions and never wrong. Units in the last place are those of [validate](validate.md). For each way of being
 wrong the smallest case that a greedy shrinker found is shown, with what the engine returned and the exact value. A reproduction is a
 complete case: put into a file `{\"knotproof\":\"cases/1\",\"cases\":[…]}`, the adapter under `tests/engines/` answers it.
-Iterative functions get the precision that the adapters ask for; kurbo's `min_dist`, which takes minutes for less, gets an accuracy of 1e-3 only. The double normals of
+Iterative functions get the precision that the adapters ask for; kurbo's `min_dist`, slow for less, gets an accuracy of 1e-7. The double normals of
 OCCT are the least of those that `GeomAPI_ExtremaCurveCurve` finds for the pairs of Bézier pieces.
 
 ";

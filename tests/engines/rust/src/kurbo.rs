@@ -8,7 +8,7 @@ use serde_json::json;
 
 const ACCURACY: f64 = 1e-9;
 /// Of min_dist, which is slow for small ones.
-const PAIR_ACCURACY: f64 = 1e-3;
+const PAIR_ACCURACY: f64 = 1e-7;
 
 fn segment(curve: &Curve) -> Result<PathSeg, Trouble> {
     if !curve.is_bezier() || curve.weights.is_some() || curve.dimension() != 2 {
