@@ -1,9 +1,10 @@
 //! What papers compute of a curve beside what is certified, as plain rows.
 //!
-//! [`compare`] makes the rows of CPJ12 (Cassidy, Peters, Jordan 2012), of the method before it, of the polygon and of the certified claims. Rows of other
+//! [`compare`] makes the rows of CPJ12 (Cassidy, Peters, Jordan 2012), of the method before it, of MP06's Newton method (Moore, Peters 2006) and of the binary64 engine, of the polygon and of the certified claims. Rows of other
 //! methods can be put beside them: a [`Row`] holds nothing but its words and its numbers.
 
 mod certified;
+mod floating;
 mod polygonal;
 mod row;
 
@@ -73,6 +74,7 @@ pub fn compare(curve: &Curve, options: &Options, progress: &dyn Fn(f64)) -> Resu
     let polygonal = polygonal::rows(&chain, options, &certified)?;
     let deviation = certified::deviation_rows(curve, polygonal.subdivisions)?;
     let mut rows = polygonal.rows;
+    rows.extend(floating::rows(curve));
     rows.extend(deviation);
     rows.extend(certified.rows);
     Ok(rows)

@@ -18,6 +18,8 @@ pub enum Standing {
     Proved,
     /// A statement about the curve that the checker accepted.
     Certified,
+    /// Computed in binary64, with rounding; not proved.
+    Binary64,
     /// Not told.
     Undecided,
 }
@@ -30,6 +32,7 @@ impl Standing {
             Standing::Printed => "as printed",
             Standing::Proved => "proved",
             Standing::Certified => "certified",
+            Standing::Binary64 => "binary64",
             Standing::Undecided => "undecided",
         }
     }
