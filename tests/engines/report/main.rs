@@ -23,7 +23,7 @@ struct Arguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// How many cases with made curves.
-    #[arg(long, default_value_t = 960)]
+    #[arg(long, default_value_t = 4000)]
     count: usize,
     /// Further cases about these curves.
     #[arg(long, num_args = 1..)]
