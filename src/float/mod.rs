@@ -31,7 +31,9 @@ mod double;
 mod double_normal;
 mod elevate;
 mod error;
+mod evaluator;
 mod insert;
+mod locate;
 mod moore_peters;
 mod nearest;
 mod perturbation;
@@ -42,6 +44,7 @@ mod separation;
 mod span;
 mod split;
 mod starts;
+mod taylor;
 mod tree;
 
 #[cfg(test)]
@@ -56,9 +59,9 @@ pub use curve::Curve;
 pub use derivative::MAXIMUM_ORDER;
 pub use distance::Connection;
 pub use error::FloatError;
+pub use evaluator::Evaluator;
 pub use moore_peters::{Comparison, DoublyNormalTest, Found};
 pub use nearest::Nearest;
 pub use perturbation::{Drift, MovingPolygon};
-pub use point::Evaluator;
 pub use separation::Separation;
 pub use starts::{DoubleNormals, Starts};
