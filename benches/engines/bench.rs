@@ -6,7 +6,7 @@ use std::hint::black_box;
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
-use knotproof::float::Evaluator;
+use knotproof::float::{BezierEvaluator, Evaluator};
 use knotproof_engine_benches::{Input, inputs};
 use kurbo::ParamCurve;
 use truck_geometry::prelude::{ParametricCurve, Point3};
@@ -43,6 +43,8 @@ fn points(criterion: &mut Criterion) {
         if input.degree == 3 && input.points.len() == 4 {
             let curve = input.kurbo();
             each(&mut group, "kurbo", &parameters, |t| black_box(&curve).eval(t));
+            let cubic = BezierEvaluator::<4, 2>::new(&input.knotproof()).expect("a plane cubic");
+            each(&mut group, "knotproof, cubic", &parameters, |t| black_box(&cubic).point(t).expect("inside"));
         }
         if input.is_planar() {
             let curve = input.curvo_2();
@@ -85,6 +87,11 @@ fn batches(criterion: &mut Criterion) {
             b.iter(|| Evaluator::new(black_box(&curve)).points_at(&parameters, black_box(&mut flat)).expect("inside"));
         });
         if input.is_planar() {
+            let cubic = BezierEvaluator::<4, 2>::new(&curve).expect("a plane cubic");
+            let mut found = vec![[0.0; 2]; BATCH];
+            group.bench_function("knotproof, cubic", |b| {
+                b.iter(|| black_box(&cubic).points_at(&parameters, black_box(&mut found)).expect("inside"));
+            });
             let curve = input.kurbo();
             let mut found = vec![kurbo::Point::ZERO; BATCH];
             group.bench_function("kurbo", |b| {

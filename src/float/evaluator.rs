@@ -54,7 +54,7 @@ enum Form {
 const HIGHEST: usize = 7;
 
 /// Points that a batch computes together.
-const CHUNK: usize = 8;
+const CHUNK: usize = 16;
 
 impl<'a> Evaluator<'a> {
     /// Prepares a curve.
@@ -281,8 +281,15 @@ impl<'a> Evaluator<'a> {
         let (chunks, rest) = parameters.as_chunks::<CHUNK>();
         let (rows, _) = points.as_chunks_mut::<D>();
         let (row_chunks, row_rest) = rows.as_chunks_mut::<CHUNK>();
+        let (start, end) = self.locator.domain();
+        let mut span = 0;
         for (chunk, row_chunk) in chunks.iter().zip(row_chunks) {
-            if !self.together::<N, L, D>(chunk, row_chunk) {
+            let one = chunk[0];
+            let (from, to) = self.locator.ends(span);
+            if !(from <= one && one < to) && start <= one && one <= end {
+                span = self.locator.span(one);
+            }
+            if !self.together::<N, L, D>(span, chunk, row_chunk) {
                 for (t, row) in chunk.iter().zip(row_chunk) {
                     *row = first(&self.point(*t)?);
                 }
@@ -294,53 +301,27 @@ impl<'a> Evaluator<'a> {
         Ok(())
     }
 
-    /// Points of one span by Horner's scheme; false where they are not all on one span, or not all certain to be accurate.
+    /// Points of one span by Horner's scheme; false where they are not all on it, or not all certain to be accurate.
     #[inline(always)]
     fn together<const N: usize, const L: usize, const D: usize>(
         &self,
+        span: usize,
         parameters: &[f64; CHUNK],
         points: &mut [[f64; D]; CHUNK],
     ) -> bool {
-        let (start, end) = self.locator.domain();
-        let one = parameters[0];
-        if !(start <= one && one <= end) {
-            return false;
-        }
-        let i = self.locator.span(one);
-        let (start, end) = self.locator.ends(i);
-        let (middle, threshold, rows) = self.coefficients::<N, L>(i);
-        let mut inside = true;
-        for t in parameters {
-            inside &= (start <= *t) & (*t < end);
-        }
-        if !inside {
-            return false;
-        }
-        let u: [f64; CHUNK] = std::array::from_fn(|j| parameters[j] - middle);
-        let mut sums = [[0.0; CHUNK]; D];
-        for axis in 0..D {
-            let mut sum = [rows[0][axis]; CHUNK];
-            for row in &rows[1..] {
-                for j in 0..CHUNK {
-                    sum[j] = sum[j] * u[j] + row[axis];
-                }
+        let (start, end) = self.locator.ends(span);
+        let (middle, threshold, rows) = self.coefficients::<N, L>(span);
+        let mut doubtful = 0;
+        for (t, point) in parameters.iter().zip(points) {
+            let sum = horner(rows, t - middle);
+            *point = std::array::from_fn(|axis| sum[axis]);
+            let mut most = 0.0;
+            for x in point {
+                most = if x.abs() > most { x.abs() } else { most };
             }
-            sums[axis] = sum;
+            doubtful |= u32::from(!(start <= *t)) | u32::from(!(*t < end)) | u32::from(!(most >= threshold));
         }
-        let mut accurate = true;
-        for j in 0..CHUNK {
-            let mut most = sums[0][j].abs();
-            for sum in &sums[1..] {
-                most = if sum[j].abs() > most { sum[j].abs() } else { most };
-            }
-            accurate &= most >= threshold;
-        }
-        for j in 0..CHUNK {
-            for axis in 0..D {
-                points[j][axis] = sums[axis][j];
-            }
-        }
-        accurate
+        doubtful == 0
     }
 }
 

@@ -19,6 +19,7 @@
 //! # Ok::<(), knotproof::float::FloatError>(())
 //! ```
 
+mod bezier_evaluator;
 mod bound;
 mod cassidy;
 mod convex_domain;
@@ -54,6 +55,7 @@ mod search_tests;
 #[cfg(test)]
 mod tests;
 
+pub use bezier_evaluator::BezierEvaluator;
 pub use cassidy::Estimate;
 pub use curve::Curve;
 pub use derivative::MAXIMUM_ORDER;
