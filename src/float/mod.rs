@@ -37,6 +37,7 @@ mod insert;
 mod locate;
 mod moore_peters;
 mod nearest;
+mod normals;
 mod perturbation;
 mod piece;
 mod point;
@@ -52,6 +53,8 @@ mod tree;
 mod generate;
 #[cfg(test)]
 mod search_tests;
+#[cfg(test)]
+mod starts_tests;
 #[cfg(test)]
 mod tests;
 
