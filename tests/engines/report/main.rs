@@ -11,8 +11,8 @@ use std::path::PathBuf;
 
 use clap::Parser;
 use knotproof::curve::read_curve;
-use knotproof::engine::Case;
 use knotproof::engine::generate::{Options, float_curves, generate};
+use knotproof::engine::{Case, Operation};
 use knotproof::validate::{Kind, Report, Tolerances, Truth, Verdict, Wrong};
 use rayon::prelude::*;
 
@@ -55,8 +55,9 @@ pub struct Fault {
     pub wrong: Wrong,
 }
 
-/// Operation, way of being wrong, whether the curve is rational, whether its knots are unclamped.
-pub type Group = (&'static str, Kind, bool, bool);
+/// Operation, way of being wrong, whether the curve is rational, whether its knots are unclamped, whether it is about two cubic Bézier curves: those would
+/// all shrink to lines, and cubics are what drawings consist of.
+pub type Group = (&'static str, Kind, bool, bool, bool);
 
 /// One engine's report, and its faults.
 pub struct Found {
@@ -156,5 +157,11 @@ pub fn group(case: &Case, wrong: &Wrong) -> Group {
         wrong.kind,
         case.curve.weights.is_some(),
         !case.curve.is_clamped(),
+        match &case.operation {
+            Operation::CurveDistance { other } => [&case.curve, other]
+                .iter()
+                .all(|curve| curve.degree == 3 && curve.is_bezier()),
+            _ => false,
+        },
     )
 }
