@@ -12,8 +12,8 @@ use std::path::PathBuf;
 use clap::Parser;
 use knotproof::curve::read_curve;
 use knotproof::engine::generate::{Options, float_curves, generate};
-use knotproof::engine::{Case, Operation};
-use knotproof::validate::{Kind, Report, Tolerances, Truth, Verdict, Wrong};
+use knotproof::engine::{Case, Engine, Operation, ResultEntry, ResultsFile};
+use knotproof::validate::{Kind, KnotproofF64, Report, Tolerances, Truth, Verdict, Wrong};
 use rayon::prelude::*;
 
 /// Runs engines on generated cases and reports what they get wrong.
@@ -100,25 +100,38 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .enumerate()
         .map(|(i, case)| (case.id.as_str(), i))
         .collect();
-    let examine = |command: &String| -> Result<Found, String> {
-        let engine = run::Adapter::new(command, &arguments.adapters);
-        let results = engine.answers(&cases)?;
-        let report = Report::new(&cases, &results, &tolerances, |case| {
-            truths[places[case.id.as_str()]].clone()
-        })
-        .map_err(|unknown| format!("{command}: unknown id {}", unknown.id))?;
+    let judged = |results: &ResultsFile| -> Result<Report, String> {
+        let report = Report::new(&cases, results, &tolerances, |case| truths[places[case.id.as_str()]].clone())
+            .map_err(|unknown| format!("{}: unknown id {}", results.engine, unknown.id))?;
         let total = report.total();
         eprintln!(
             "{}: {} right, {} wrong, {} refused, {} not offered, {} missing, {} unjudged",
             report.engine, total.right, total.wrong, total.refused, total.not_offered, total.missing, total.unjudged
         );
+        Ok(report)
+    };
+    let examine = |command: &String| -> Result<Found, String> {
+        let engine = run::Adapter::new(command, &arguments.adapters);
+        let report = judged(&engine.answers(&cases)?)?;
         let mut faults = faults(&cases, &report);
         shrink::shrink(&engine, &mut faults, &tolerances, arguments.rounds)?;
         eprintln!("{}: {} ways of being wrong", report.engine, faults.len());
         Ok(Found { report, faults })
     };
-    let found: Result<Vec<Found>, String> = arguments.engines.par_iter().map(examine).collect();
-    let found = found?;
+    let own = judged(&ResultsFile {
+        engine: KnotproofF64.name(),
+        results: cases
+            .iter()
+            .map(|case| ResultEntry {
+                id: case.id.clone(),
+                answer: KnotproofF64.answer(case),
+            })
+            .collect(),
+    })?;
+    let faults = faults(&cases, &own);
+    let mut found = vec![Found { report: own, faults }];
+    let others: Result<Vec<Found>, String> = arguments.engines.par_iter().map(examine).collect();
+    found.extend(others?);
     let page = page::page(&found, &cases, arguments.seed);
     std::fs::write(&arguments.output, page)?;
     Ok(())

@@ -125,7 +125,7 @@ whether a part is put on [0, 1], are conventions and never wrong. Units in the l
 wrong the smallest case that a greedy shrinker found is shown, with what the engine returned and the exact value. A reproduction is a
 complete case: put into a file `{\"knotproof\":\"cases/1\",\"cases\":[…]}`, the adapter under `tests/engines/` answers it.
 Iterative functions get the precision that the adapters ask for; kurbo's `min_dist`, slow for less, gets an accuracy of 1e-7. The double normals of
-OCCT are the least of those that `GeomAPI_ExtremaCurveCurve` finds for the pairs of Bézier pieces.
+OCCT are the least of those that `GeomAPI_ExtremaCurveCurve` finds for the pairs of Bézier pieces. The engine of this library, knotproof-f64 ([float](float.md)), answers the same cases.
 
 ";
 
