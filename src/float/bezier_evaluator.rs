@@ -152,8 +152,8 @@ impl<const ORDER: usize, const DIMENSION: usize> BezierEvaluator<ORDER, DIMENSIO
 
 #[inline(always)]
 fn greatest<const D: usize>(point: &[f64; D]) -> f64 {
-    let mut most = 0.0;
-    for x in point {
+    let mut most = point[0].abs();
+    for x in &point[1..] {
         most = if x.abs() > most { x.abs() } else { most };
     }
     most

@@ -315,11 +315,13 @@ impl<'a> Evaluator<'a> {
         for (t, point) in parameters.iter().zip(points) {
             let sum = horner(rows, t - middle);
             *point = std::array::from_fn(|axis| sum[axis]);
-            let mut most = 0.0;
-            for x in point {
+            let mut most = sum[0].abs();
+            for x in &sum[1..D] {
                 most = if x.abs() > most { x.abs() } else { most };
             }
-            doubtful |= u32::from(!(start <= *t)) | u32::from(!(*t < end)) | u32::from(!(most >= threshold));
+            // NaN is in no order.
+            let (inside, accurate) = ((start <= *t) & (*t < end), most >= threshold);
+            doubtful |= u32::from(!inside) | u32::from(!accurate);
         }
         doubtful == 0
     }

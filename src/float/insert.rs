@@ -6,7 +6,7 @@ use super::error::FloatError;
 use crate::curve::MAXIMUM_PIECES;
 
 /// Coordinates of new points that one inserted knot may have without taking the general way.
-const FRESH: usize = 24;
+const FRESH: usize = 12;
 
 impl Curve {
     /// How often `t` occurs among the knots.
@@ -64,8 +64,8 @@ impl Curve {
             all
         });
         if alone {
-            let mut buffer = [0.0; FRESH];
-            points.extend_from_slice(self.between(first, last, t, &mut buffer));
+            let (count, fresh) = self.between(first, last, t);
+            points.extend_from_slice(&fresh[..count]);
         }
         for lifted in &fresh {
             self.lower(lifted, &mut points, weights.as_mut());
@@ -90,8 +90,9 @@ impl Curve {
     }
 
     /// Control points `first` + 1 … `last` after the insertion of t: point i is that between control points i − 1 and i that divides them as t divides knots
-    /// i and i + p. From the nearer one on, so that a small share keeps its relative accuracy; in double-double, rounded once.
-    fn between<'a>(&self, first: usize, last: usize, t: f64, result: &'a mut [f64; FRESH]) -> &'a [f64] {
+    /// i and i + p. From the nearer one on, so that a small share keeps its relative accuracy; in double-double, rounded once. How many
+    /// coordinates, and these.
+    fn between(&self, first: usize, last: usize, t: f64) -> (usize, [f64; FRESH]) {
         let d = self.dimension;
         let count = (last - first) * d;
         let (mut near, mut far) = ([0.0; FRESH], [0.0; FRESH]);
@@ -110,15 +111,16 @@ impl Curve {
             }
         }
         // Plain arrays, which the compiler turns into vector instructions.
-        let result = &mut result[..count];
-        let (near, far, high, low) = (&near[..count], &far[..count], &high[..count], &low[..count]);
-        for j in 0..count {
-            let (difference, error) = two_sum(far[j], -near[j]);
-            let (product, lost) = two_product(high[j], difference);
-            let (sum, rest) = two_sum(near[j], product);
-            result[j] = sum + (rest + (lost + (high[j] * error + low[j] * difference)));
+        {
+            let (near, far, high, low) = (&mut near[..count], &far[..count], &high[..count], &low[..count]);
+            for j in 0..count {
+                let (difference, error) = two_sum(far[j], -near[j]);
+                let (product, lost) = two_product(high[j], difference);
+                let (sum, rest) = two_sum(near[j], product);
+                near[j] = sum + (rest + (lost + (high[j] * error + low[j] * difference)));
+            }
         }
-        result
+        (count, near)
     }
 
     /// The points strictly between k − p and k − multiplicity + times of the curve with t inserted `times` times (Piegl and Tiller 1997, A5.1).

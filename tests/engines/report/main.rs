@@ -101,8 +101,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .map(|(i, case)| (case.id.as_str(), i))
         .collect();
     let judged = |results: &ResultsFile| -> Result<Report, String> {
-        let report = Report::new(&cases, results, &tolerances, |case| truths[places[case.id.as_str()]].clone())
-            .map_err(|unknown| format!("{}: unknown id {}", results.engine, unknown.id))?;
+        let report = Report::new(&cases, results, &tolerances, |case| {
+            truths[places[case.id.as_str()]].clone()
+        })
+        .map_err(|unknown| format!("{}: unknown id {}", results.engine, unknown.id))?;
         let total = report.total();
         eprintln!(
             "{}: {} right, {} wrong, {} refused, {} not offered, {} missing, {} unjudged",
