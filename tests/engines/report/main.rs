@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use clap::Parser;
 use knotproof::curve::read_curve;
 use knotproof::engine::generate::{Options, float_curves, generate};
-use knotproof::engine::{Case, Engine, Operation, ResultEntry, ResultsFile};
+use knotproof::engine::{Case, Engine, FloatCurve, Operation, ResultEntry, ResultsFile};
 use knotproof::validate::{Kind, KnotproofF64, Report, Tolerances, Truth, Verdict, Wrong};
 use rayon::prelude::*;
 
@@ -31,6 +31,9 @@ struct Arguments {
     /// How many of those.
     #[arg(long, default_value_t = 240)]
     curve_count: usize,
+    /// How many cases about pairs of plane cubics on a small grid.
+    #[arg(long, default_value_t = 40)]
+    pair_count: usize,
     /// A command that answers a file of cases, run in the directory of the adapters; often.
     #[arg(long = "engine")]
     engines: Vec<String>,
@@ -92,6 +95,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             case
         }));
     }
+    let pairs = Options {
+        seed: arguments.seed,
+        count: arguments.pair_count,
+        operations: vec!["curve_distance"],
+        curves: cubics(2 * arguments.pair_count),
+    };
+    if arguments.pair_count > 0 {
+        cases.extend(generate(&pairs).cases.into_iter().map(|mut case| {
+            case.id = format!("cubics-{}", case.id);
+            case
+        }));
+    }
     eprintln!("{} cases; their exact results …", cases.len());
     let truths: Vec<Truth> = cases.par_iter().map(truth).collect();
     let tolerances = Tolerances::default();
@@ -137,6 +152,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let page = page::page(&found, &cases, arguments.seed);
     std::fs::write(&arguments.output, page)?;
     Ok(())
+}
+
+/// Plane cubic Bézier curves with whole coordinates from 0 to 5: multiples of the golden ratio modulo 1, so that none is picked.
+fn cubics(count: usize) -> Vec<FloatCurve> {
+    let coordinate = |k: usize| (6.0 * (k as f64 * 0.618_033_988_749_894_9).fract()).floor();
+    let point = |k: usize| vec![coordinate(2 * k), coordinate(2 * k * k + 1)];
+    let curve = |i: usize| FloatCurve::bezier((4 * i + 1..4 * i + 5).map(point).collect(), None);
+    (0..count).map(curve).collect()
 }
 
 /// The ways of being wrong, each with the smallest of its cases.
