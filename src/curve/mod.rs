@@ -50,6 +50,7 @@ pub use data::{Curve, Form};
 pub use error::{CurveError, CurveFault};
 pub use evaluate::{Side, bernstein};
 pub use hodograph::Hodograph;
+#[cfg(feature = "prove")]
 pub(crate) use join::align;
 pub use joint::Joint;
 pub use operation::OperationError;
