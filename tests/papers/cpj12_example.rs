@@ -1,0 +1,435 @@
+//! CPJ12 §4.3 and §5: the comparison with the method before, and the example.
+
+use knotproof::approximation::predecessor::{Extremes, Subdivisions, extremes};
+use knotproof::approximation::{
+    Chord, Norm, Parameters, PieceMeasures, Plan, Polygon, bounds, least_power, measure, nairn_peters_lutterkort, plan,
+    sine,
+};
+use knotproof::claim::msd::Convention;
+use knotproof::curve::Curve;
+use knotproof::number::Rational;
+
+use crate::certified::{Separation, separation};
+use crate::exact::{Point, bezier_curve, file, fraction, minus, number, plus, squared, whole};
+use crate::table::{Exact, Page, Row, Verdict, noted, rounded_from, row, unknown, value};
+
+/// The curve that the example of §5 is taken to be, and what is known of it.
+pub struct Example {
+    pub curve: Curve,
+    pub pieces: Vec<PieceMeasures>,
+    pub sigma: Separation,
+    plans: [Plan; 2],
+}
+
+impl Example {
+    pub fn new() -> Example {
+        let curve = file("mp06-figure-1");
+        let pieces = measure(&curve.chain()).expect("polynomial pieces");
+        let sigma = separation(&curve, Convention::Smooth);
+        // δ = 0.25 and ε_d = 0.01, as in §5.
+        let plans = [Norm::Infinity, Norm::Euclidean].map(|norm| {
+            let parameters = Parameters {
+                delta: number("0.25"),
+                epsilon_d: number("0.01"),
+                norm,
+            };
+            plan(&pieces, &parameters).expect("positive tolerances")
+        });
+        Example {
+            curve,
+            pieces,
+            sigma,
+            plans,
+        }
+    }
+
+    pub fn plan(&self, norm: Norm) -> &Plan {
+        match norm {
+            Norm::Infinity => &self.plans[0],
+            Norm::Euclidean => &self.plans[1],
+        }
+    }
+}
+
+pub fn write(page: &mut Page, example: &Example) {
+    page.heading(3, "§4.3, the method before and the four cases");
+    page.text(CASES);
+    page.text(&magnitudes(example));
+    page.table(cases(example));
+    page.heading(3, "§5, the example");
+    page.text(THE_CURVE);
+    page.table(the_example(example));
+    page.text(LAMBDA);
+    page.table(lambda(example));
+}
+
+const CASES: &str = "\
+With m₁ = ⌈x⌉ and m̃₁ = ⌈y⌉ the paper asks for x < y + 1 and concludes m₁ < m̃₁. From x < y + 1 follows m₁ ≤ m̃₁ + 1 only; x ≤ y − 1 would do. K = ‖Δ₂P‖N∞(n), X = n N∞(n−1)‖Δ₂(ΔP)‖. Numbers of the example are those of MP06's curve with ε = ε_d = 0.01 and ∞-norms.";
+
+const THE_CURVE: &str = "\
+The example is \"a composite cubic Bézier curve, consisting of five sub-curves, that forms a trefoil knot\". Its control points are in an extended version that is not at hand. The curve of MP06's Figure 1 has five cubic pieces, is a trefoil, comes from the same group, and fits the printed relative error. So the example is taken to be that curve.";
+
+const LAMBDA: &str = "\
+λ_c is not printed. The algorithm as printed, with the printed m = 6 and ε_d = 0.01 and exact arithmetic, returns for this curve a value that MP06 know to be wrong (test 4 of their Table 1), and for the same reason: a tolerance too small for the sampling. The nearest points of two edges make a chord that is
+orthogonal to the edges; D_m has another direction there, and as |c'| is about 6 the product is above ε_d.";
+
+fn exactly(m: Subdivisions) -> i64 {
+    match m {
+        Subdivisions::Exactly(m) => m,
+        found => panic!("{found:?}"),
+    }
+}
+
+/// A curve of degree 5 on a line whose derivative is Chebyshev's polynomial of degree 4: steep differences, |c'| ≤ 1.
+fn chebyshev() -> Curve {
+    let derivative = [whole(1), whole(-7), fraction(35, 3), whole(-7), whole(1)];
+    let mut points: Vec<Point> = vec![vec![whole(0), whole(0)]];
+    for x in derivative {
+        let last = points[points.len() - 1].clone();
+        points.push(plus(&last, &[x / whole(5), whole(0)]));
+    }
+    bezier_curve(&points)
+}
+
+/// The quantities that the formulas take from the example's curve.
+fn magnitudes(example: &Example) -> String {
+    let found = extremes(&example.curve.chain()).expect("polynomial pieces");
+    let [infinite, euclidean] = [Norm::Infinity, Norm::Euclidean].map(|norm| &example.plan(norm).bounds);
+    format!(
+        "Of MP06's curve, per piece: K₀ = max ‖c'‖_∞ = {}, K₁ = max ‖c''‖_∞ = {}, μ₀ = min ‖c'‖_∞ = {}; K = {} (∞-norm), {} (Euclidean); ℓ₀ = {}.",
+        Exact::from(found.speed),
+        Exact::from(found.acceleration),
+        Exact::from(found.least_speed).show(6),
+        Exact::root(&infinite.distance_squared),
+        Exact::root(&euclidean.distance_squared).show(6),
+        Exact::root(&infinite.longest_edge_squared).show(6),
+    )
+}
+
+fn cases(example: &Example) -> Vec<Row> {
+    let epsilon = number("0.01");
+    let both = [epsilon.clone(), epsilon.clone()];
+    let found = extremes(&example.curve.chain()).expect("polynomial pieces");
+    let b = bounds(&example.pieces, Norm::Infinity);
+    let (k_squared, x_squared) = (&b.distance_squared, &b.derivative_printed_squared);
+    let m1 = least_power(&(k_squared / (&epsilon * &epsilon)), 4).expect("positive");
+    let m2 = least_power(&(x_squared / (&epsilon * &epsilon * whole(4))), 4).expect("positive");
+    let (old1, old2) = (exactly(found.m1(&both)), exactly(found.m2(&both)));
+    let Extremes {
+        speed,
+        acceleration,
+        least_speed,
+    } = &found;
+    let k = Exact::root(k_squared).ends().0.clone();
+    let x = Exact::root(x_squared).ends().0.clone();
+    let second = example
+        .pieces
+        .iter()
+        .map(|piece| piece.second.infinity.clone())
+        .max()
+        .expect("pieces");
+    // Case 1 fails for a curve of degree 5.
+    let steep = chebyshev();
+    let steep_k = Exact::root(&bounds(&measure(&steep.chain()).expect("polynomial"), Norm::Infinity).distance_squared);
+    let steep_k = steep_k.ends().0.clone();
+    let steep_epsilon = &steep_k / whole(2);
+    let steep_found = extremes(&steep.chain()).expect("polynomial");
+    let steep_m1 = least_power(&(&steep_k / &steep_epsilon), 2).expect("positive");
+    let steep_old = exactly(steep_found.m1(&[steep_epsilon.clone(), steep_epsilon.clone()]));
+    let steep_left = whole(3) * &steep_found.speed[0] * &steep_found.speed[0] / (&steep_k * &steep_epsilon);
+    // sin(ε/2)·μ₀/(K₁√ε), squared, and times K and X.
+    let angle = |part: i64| sine(&(&epsilon / whole(part)), 200).expect("a small angle");
+    let form = |factor: &Rational, part: i64| -> Exact {
+        let (low, high) = angle(part);
+        let low = low * &least_speed[0] / &acceleration[1];
+        let high = high * &least_speed[1] / &acceleration[0];
+        Exact::root_between(&(&low * &low * factor / &epsilon), &(&high * &high * factor / &epsilon))
+    };
+    // μ₀/K₁ at which case 2 turns, for ‖Δ₂(ΔP)‖ = 1.
+    let limit = |part: i64| -> Exact {
+        let (low, high) = angle(part);
+        let factor = whole(3) * nairn_peters_lutterkort(2);
+        let square = |sine: &Rational| whole(8) * &epsilon / (sine * sine * &factor);
+        Exact::root_between(&square(&high), &square(&low))
+    };
+    let third = nairn_peters_lutterkort(3);
+    let constant = whole(3) / (&third * &epsilon);
+    let case_4 = &x * &epsilon / (&speed[0] * &speed[0]);
+    vec![
+        row(
+            "case 1, (4)",
+            "3K₀²/(Kε) > 1/4 implies m₁ < m̃₁",
+            &format!(
+                "x < y + 1, and nothing more. The curve of degree 5 on a line whose derivative is Chebyshev's polynomial T₄(2t − 1) has K₀ = {}, K = {}; with ε = {} the left side is {} and m₁ = {steep_m1}, m̃₁ = {steep_old}. (With 4 in place of 1/4 it is true.)",
+                steep_found.speed[0],
+                Exact::from(steep_k.clone()),
+                Exact::from(steep_epsilon.clone()),
+                Exact::from(steep_left.clone()).show(4),
+            ),
+            Verdict::holds(steep_m1 < steep_old || steep_left <= fraction(1, 4)),
+        ),
+        noted(
+            "cubic, ε = 0.01",
+            "(M₀²/‖Δ₂P‖) times ",
+            "300",
+            constant.clone(),
+            "times K₀²/‖Δ₂P‖: N∞(3) = 1/3 is left out; M₀ is K₀",
+        ),
+        noted(
+            "the ratio at which (4) turns",
+            "",
+            "1/1200",
+            fraction(1, 4) / constant,
+            "",
+        ),
+        row(
+            "case 2",
+            "sin(ε/4)·μ₀√X/(√ε·K₁) < √8",
+            &format!("sin(ε/2), as in m̃₂. The example: {}", form(&x, 2).show(5)),
+            Verdict::equal(angle(4) == angle(2)),
+        ),
+        noted(
+            "cubic, ε = 0.01: false only for μ₀/K₁ >",
+            "",
+            "130.6",
+            limit(4),
+            &format!(
+                "/√‖Δ₂(ΔP)‖: the value for ‖Δ₂(ΔP)‖ = 1 and the sine of ε/4; with that of ε/2 it is {}",
+                limit(2).show(6)
+            ),
+        ),
+        row(
+            "case 3",
+            "sin(ε/2)·μ₀√K/(K₁√ε) < 2",
+            &format!("the right form of x < y + 1. The example: {}", form(&k, 2).show(5)),
+            // x < y + 1 is K/ε < (2K₁/(sin(ε/2)μ₀))².
+            Verdict::equal(
+                (*form(&k, 2).ends().1 < whole(2)) == {
+                    let right = whole(2) * &acceleration[0] / (&angle(2).1 * &least_speed[1]);
+                    &k / &epsilon < &right * &right
+                },
+            ),
+        ),
+        row(
+            "\"‖Δ₂P‖_∞ is an approximation of K₁\"",
+            "‖Δ₂P‖_∞ ≈ K₁",
+            &format!(
+                "c'' has the control points n(n−1)Δ₂p_i: for a cubic K₁ ≤ 6‖Δ₂P‖. The example: K₁ = {}, ‖Δ₂P‖_∞ = {second}, quotient {}",
+                acceleration[0],
+                &acceleration[0] / &second
+            ),
+            Verdict::holds(acceleration[0] <= &second * whole(2)),
+        ),
+        noted(
+            "case 4: Xε/K₀² <",
+            "",
+            "8/3",
+            whole(24),
+            &format!(
+                "is x < y + 1; 8/3 has the 3 on the wrong side, and is stricter. (x ≤ y − 1 is ≤ 3/2.) The example: {}",
+                Exact::from(case_4).show(5)
+            ),
+        ),
+        row(
+            "\"m < m̃\"",
+            "for the example",
+            &format!("m₁ = {m1}, m₂ = {m2}; m̃₁ = {old1}, m̃₂ = {old2}"),
+            Verdict::holds(m1.max(m2) < old1.max(old2)),
+        ),
+    ]
+}
+
+fn the_example(example: &Example) -> Vec<Row> {
+    let [infinite, euclidean] = [Norm::Infinity, Norm::Euclidean].map(|norm| example.plan(norm));
+    let chain = example.curve.chain();
+    let sigma = example.sigma.sigma();
+    let half = |plan: &Plan| -> Exact { plan.epsilon.clone().map(|epsilon| epsilon / whole(2)).into() };
+    let printed = number("0.01");
+    let found = extremes(&chain).expect("polynomial pieces");
+    let both = [printed.clone(), printed];
+    let (old1, old2) = (exactly(found.m1(&both)), exactly(found.m2(&both)));
+    let parts = chain.count();
+    let ratio = |error: &[Rational; 2]| -> Exact { [&error[0] / sigma.ends().1, &error[1] / sigma.ends().0].into() };
+    let from_printed = ratio(&rounded_from("0.0034415"));
+    // ℓ₀ that the printed E needs, with ε = 0.01 and m = 6.
+    let needed = (number("0.0034415") - number("0.00005")) * whole(1 << 11);
+    let polygon = Polygon::new(&chain, 6).expect("a polygon");
+    let no_edge = no_edge_gives_the_printed_error(&example.curve);
+    let true_edge = polygon.longest_edge_squared();
+    let with_true_edge = number("0.00005") + whole(2) * true_edge;
+    vec![
+        noted(
+            "δ = 0.25 \"gives\"",
+            "ε = ",
+            "0.01",
+            infinite.epsilon.clone(),
+            "the root of (3), ∞-norm as printed",
+        ),
+        noted(
+            "",
+            "ε = ",
+            "0.01",
+            euclidean.epsilon.clone(),
+            "the root, Euclidean norm",
+        ),
+        noted(
+            "\"half the smallest positive root\"",
+            "ε = ",
+            "0.01",
+            half(infinite),
+            "∞-norm",
+        ),
+        noted("", "ε = ", "0.01", half(euclidean), "Euclidean norm"),
+        noted(
+            "\"so m = 6\"",
+            "m = ",
+            "6",
+            infinite.subdivisions as usize,
+            &format!(
+                "= max(m₁, m₂) = max({}, {}), in both norms, with the root and with its half; by the bound of the derivative without the superfluous 3/2 m₂ = {} (∞-norm), {} (Euclidean)",
+                infinite.m1.expect("a number"),
+                infinite.m2.expect("a number"),
+                infinite.m2_proved.expect("a number"),
+                euclidean.m2_proved.expect("a number")
+            ),
+        ),
+        noted("\"6 subdivisions yields\"", "", "960", polygon.edges(), "segments"),
+        noted(
+            "\"the previous approach involved\"",
+            "",
+            "10,240",
+            parts << old1,
+            &format!("= 5·2^{old1}, by m̃₁ alone"),
+        ),
+        noted(
+            "",
+            "",
+            "10,240",
+            parts << old1.max(old2),
+            &format!("by m̃ = max(m̃₁, m̃₂) = max({old1}, {old2}), as §4.3 says"),
+        ),
+        noted(
+            "\"The maximum error\"",
+            "E = ",
+            "0.0034415",
+            infinite.error.clone(),
+            "∞-norm, ε from (3)",
+        ),
+        noted("", "E = ", "0.0034415", euclidean.error.clone(), "Euclidean norm"),
+        noted(
+            "",
+            "E = ",
+            "0.0034415",
+            with_true_edge,
+            "with ε = 0.01 and the true ℓ₆ in place of ℓ₀/2⁶",
+        ),
+        row(
+            "",
+            "E = 0.0034415",
+            &format!(
+                "with ε = 0.01 and m = 6 it needs ℓ₀ = {}. With every edge of the control polygons in place of ℓ₀, every m from 0 to 12 and every ε from 0 to 0.01 the formula does not give the digits printed",
+                Exact::root(&needed).show(5)
+            ),
+            Verdict::equal(!no_edge),
+        ),
+        noted(
+            "\"maximum relative error of approximately\"",
+            "",
+            "0.0078",
+            from_printed,
+            "= 0.0034415/σ",
+        ),
+        noted("", "", "0.0078", ratio(&infinite.error), "with the E of the formula"),
+        unknown(
+            "control points, Figure 7",
+            "in [9]",
+            "the extended version is not at hand",
+        ),
+    ]
+}
+
+/// E = ε²/2 + ℓ₀²/2^(2m−1), for every edge, every m from 0 to 12 and ε from 0 to 0.01.
+fn no_edge_gives_the_printed_error(curve: &Curve) -> bool {
+    let [low, high] = rounded_from("0.0034415");
+    let control = Polygon::new(&curve.chain(), 0).expect("a polygon");
+    let edges = (0..control.parts()).flat_map(|part| (0..control.degree(part)).map(move |k| (part, k)));
+    let squares: Vec<Rational> = edges
+        .map(|(part, k)| squared(&minus(&control.point(part, k), &control.point(part, k + 1))))
+        .collect();
+    (0..=12).all(|m| {
+        squares.iter().all(|square| {
+            let rest = square * fraction(2, 1 << (2 * m));
+            rest > high || rest + number("0.00005") < low
+        })
+    })
+}
+
+fn lambda(example: &Example) -> Vec<Row> {
+    let chain = example.curve.chain();
+    let epsilon = number("0.01");
+    let polygon = Polygon::new(&chain, 6).expect("a polygon");
+    let finer = Polygon::new(&chain, 7).expect("a polygon");
+    let disjoint = Exact::root(&polygon.nearest_disjoint_edges().expect("edges").squared);
+    let tested = [Chord::Curve, Chord::Polygon]
+        .map(|chord| Exact::root(&polygon.nearest_candidates(&epsilon, chord).expect("a pair").squared));
+    assert_eq!(tested[0].ends(), tested[1].ends());
+    let fine = Exact::root(
+        &finer
+            .nearest_candidates(&epsilon, Chord::Curve)
+            .expect("a pair")
+            .squared,
+    );
+    let sigma = example.sigma.sigma();
+    let error = &example.plan(Norm::Infinity).error[1];
+    let contains = |lambda: &Exact, error: &Rational| {
+        let (low, high) = (lambda.ends().0 - error, lambda.ends().1 + error);
+        low <= *sigma.ends().1 && *sigma.ends().0 <= high
+    };
+    let printed = number("0.0034415");
+    let proved = polygon.separation();
+    let (lower, upper) = (proved.lower.expect("finite"), proved.upper.expect("a double normal"));
+    let width = Exact::from(whole(2) * &proved.eta);
+    vec![
+        row(
+            "λ_c over all disjoint edges (§4.2)",
+            "σ ∈ [λ_c − E, λ_c + E]",
+            &format!(
+                "λ_c = {}, E = {}, σ = {}",
+                disjoint.show(6),
+                Exact::from(error.clone()).show(4),
+                sigma.show(6)
+            ),
+            Verdict::holds(contains(&disjoint, error) || contains(&disjoint, &printed)),
+        ),
+        row(
+            "λ_c of pairs that pass (Figure 6)",
+            "σ ∈ [λ_c − E, λ_c + E]",
+            &format!(
+                "λ_c = {}, with the points of the curve and with those of the polygon",
+                tested[0].show(8)
+            ),
+            Verdict::holds(contains(&tested[0], error) || contains(&tested[0], &printed)),
+        ),
+        row(
+            "the same, m = 7",
+            "σ ∈ [λ_c − E, λ_c + E]",
+            &format!(
+                "λ_c = {}: there the pair beside the shortest double normal passes",
+                fine.show(8)
+            ),
+            Verdict::holds(contains(&fine, error)),
+        ),
+        row(
+            "E, of what the 960 edges do prove",
+            "0.0034415",
+            &format!(
+                "{} < σ < {}, by Theorems 3 and 4 of [approximation.md](approximation.md): a valid E is {}",
+                Exact::from(lower).show(5),
+                Exact::from(upper).show(5),
+                width.show(5)
+            ),
+            Verdict::of("0.0034415", &width),
+        ),
+        value("λ_c as MP06's test 4", "0.91921", tested[0].clone()),
+    ]
+}
