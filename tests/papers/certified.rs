@@ -16,7 +16,6 @@ pub struct Separation {
     pub statement: Statement,
     /// Parameters between which the ends of a double normal lie that is as short as stated, number of the piece and local parameter added.
     pub ends: Option<[[Rational; 2]; 2]>,
-    pub leaves: u64,
 }
 
 impl Separation {
@@ -61,7 +60,6 @@ pub fn separation(curve: &Curve, convention: Convention) -> Separation {
     Separation {
         statement: content.statement.clone(),
         ends,
-        leaves: certified.leaves,
     }
 }
 

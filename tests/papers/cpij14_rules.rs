@@ -28,18 +28,26 @@ struct Formula {
 const REACH: i64 = 5;
 const SUMS: usize = 4;
 
+/// Is it true for each point and each sum that is 1, while all others are 0?
+fn on_basis(test: impl Fn(Points, &[Rational]) -> bool) -> bool {
+    (0..=2 * REACH as usize + SUMS).all(|i| {
+        let unit = |k: usize| whole(i64::from(k == i));
+        let points = |k: i64| unit((k + REACH) as usize);
+        let sums: Vec<Rational> = (0..SUMS).map(|k| unit(2 * REACH as usize + 1 + k)).collect();
+        test(&points, &sums)
+    })
+}
+
 impl Formula {
     fn row(&self) -> Row {
-        let agrees = (0..=2 * REACH as usize + SUMS).all(|i| {
-            let unit = |k: usize| whole(i64::from(k == i));
+        let agrees = on_basis(|p, sums| {
             let points = |k: i64| match self.joint && k == 0 {
-                true => (unit((REACH - 1) as usize) + unit((REACH + 1) as usize)) / whole(2),
-                false => unit((k + REACH) as usize),
+                true => (p(-1) + p(1)) / whole(2),
+                false => p(k),
             };
-            let sums: Vec<Rational> = (0..SUMS).map(|k| unit(2 * REACH as usize + 1 + k)).collect();
-            let moved = |k: i64| (self.moved)(k, &points, &sums);
+            let moved = |k: i64| (self.moved)(k, &points, sums);
             let exact = moved(self.at - 1) - moved(self.at) * whole(2) + moved(self.at + 1);
-            exact == (self.printed)(&points, &sums)
+            exact == (self.printed)(&points, sums)
         });
         row(self.place, self.text, self.right, Verdict::equal(agrees))
     }
@@ -148,6 +156,12 @@ pub fn definitions() -> Vec<Row> {
     vec![
         bernstein_row("Definition 1", "c(t) = Σ C(d, i) (i − t)^{d−i} q_i"),
         row(
+            "after α subdivisions",
+            "(1/2)^{2a} ‖Δ₂X‖_∞ N∞(d)",
+            "(1/2)^{2α} (misprint)",
+            Verdict::Different,
+        ),
+        row(
             "N∞(d)",
             "⌈d/2⌉⌊d/2⌋/(2d)",
             &format!("the same; N∞(3) = {}", nairn_peters_lutterkort(3)),
@@ -236,6 +250,22 @@ pub fn claims() -> Vec<Row> {
                 "not where one resting point lies between two chains: its second difference changes by both. For 0, 0, −1/2, 0, 0, degree 4, and γ₁ = γ₃ = 1 the formulas give at most {printed}, and ‖Δ₂X₁‖ = {actual}: the bound of the distance is too small"
             ),
             Verdict::holds(actual <= printed),
+        ),
+        row("Example 2", "p₂ → p₂ + γ₂", "p₂ + γ (misprint)", Verdict::Different),
+        row(
+            "§6.3",
+            "\"Let p_j and p_{j+2} be type 1 …, so p_j is a type 2\"",
+            "p_{j+1} is of type 2 (misprint)",
+            Verdict::Different,
+        ),
+        row(
+            "§6.3",
+            "p_{j+1} → 1/2 (p_j + p_{j+2} + Σ(γ_j + 2γ_{j+1} + γ_{j+2}))",
+            "the midpoint of its neighbours",
+            Verdict::equal(on_basis(|p, g| {
+                let printed = (p(0) + p(2) + &g[0] + &g[1] * whole(2) + &g[2]) / whole(2);
+                printed == three(1, p, g)
+            })),
         ),
         row(
             "§6.1, types 1 and 2",

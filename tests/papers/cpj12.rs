@@ -57,9 +57,9 @@ fn preliminaries() -> Vec<Row> {
             "P_L ∪ P_R \"lies closer to c than the original control polygon\"",
             &format!(
                 "MP06's curve, greatest distance at equal parameters after 0, 1, 2 subdivisions, certified: {}, {}, {}",
-                distances[0].show(6),
-                distances[1].show(6),
-                distances[2].show(6)
+                distances[0].show(5),
+                distances[1].show(5),
+                distances[2].show(5)
             ),
             Verdict::holds((0..2).all(|m| distances[m + 1].ends().1 < distances[m].ends().0)),
         ),
@@ -113,7 +113,7 @@ fn distance(example: &Example) -> Vec<Row> {
             "⌊n/2⌋⌊n/2⌋/(2n)",
             &format!(
                 "⌊n/2⌋⌈n/2⌉/(2n) (CPIJ14 print it so). For p_k = (k, k²), n = 3: distance of curve and polygon {}, certified; bound with N∞(3) = {proved}: {}, as printed with {floors}: {}",
-                attained.show(9),
+                attained.show(6),
                 &second * &proved,
                 &second * &floors,
             ),
@@ -135,8 +135,8 @@ fn distance(example: &Example) -> Vec<Row> {
             &format!(
                 "MP06's curve: bound {} (Euclidean), distance at equal parameters {}, certified. It is attained for n = 2 (the parabola: {}), and where the second differences of a piece are all equal",
                 Exact::root(&euclidean).show(7),
-                largest.show(7),
-                parabola.show(9),
+                largest.show(6),
+                parabola.show(6),
             ),
             Verdict::holds(largest.ends().1 * largest.ends().1 >= euclidean),
         ),

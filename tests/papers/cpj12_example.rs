@@ -56,6 +56,13 @@ pub fn write(page: &mut Page, example: &Example) {
     page.text(CASES);
     page.text(&magnitudes(example));
     page.table(cases(example));
+    page.table(
+        counterexamples()
+            .iter()
+            .zip(1..)
+            .map(|(found, number)| found.row(number))
+            .collect(),
+    );
     page.heading(3, "§5, the example");
     page.text(THE_CURVE);
     page.table(the_example(example));
@@ -80,15 +87,133 @@ fn exactly(m: Subdivisions) -> i64 {
     }
 }
 
-/// A curve of degree 5 on a line whose derivative is Chebyshev's polynomial of degree 4: steep differences, |c'| ≤ 1.
-fn chebyshev() -> Curve {
-    let derivative = [whole(1), whole(-7), fraction(35, 3), whole(-7), whole(1)];
-    let mut points: Vec<Point> = vec![vec![whole(0), whole(0)]];
-    for x in derivative {
-        let last = points[points.len() - 1].clone();
-        points.push(plus(&last, &[x / whole(5), whole(0)]));
+/// A curve for which the condition of a case holds and its conclusion does not.
+struct Counterexample {
+    case: &'static str,
+    condition: &'static str,
+    words: &'static str,
+    curve: Curve,
+    epsilon: Rational,
+    /// With a constant that makes the conclusion true.
+    right: &'static str,
+}
+
+fn counterexamples() -> [Counterexample; 4] {
+    let line = |text: &[[(i64, i64); 2]]| {
+        let points: Vec<Point> = text
+            .iter()
+            .map(|p| p.iter().map(|(n, d)| fraction(*n, *d)).collect())
+            .collect();
+        bezier_curve(&points)
+    };
+    // c' is Chebyshev's polynomial of degree 4: steep differences, |c'| ≤ 1.
+    let mut steep = vec![vec![whole(0), whole(0)]];
+    for x in [whole(1), whole(-7), fraction(35, 3), whole(-7), whole(1)] {
+        let last: &Point = &steep[steep.len() - 1];
+        steep.push(plus(last, &[x / whole(5), whole(0)]));
     }
-    bezier_curve(&points)
+    [
+        Counterexample {
+            case: "case 1: m₁ < m̃₁",
+            condition: "3K₀²/(Kε) > 1/4",
+            words: "the curve of degree 5 on a line whose derivative is Chebyshev's polynomial T₄(2t − 1)",
+            curve: bezier_curve(&steep),
+            epsilon: fraction(28, 25),
+            right: "> 4",
+        },
+        Counterexample {
+            case: "case 2: m₂ < m̃₂",
+            condition: "sin(ε/4)·μ₀√X/(√ε·K₁) < √8",
+            words: "the cubic (0, 0), (10, 0), (20, 0), (30, 8/9)",
+            curve: line(&[
+                [(0, 1), (0, 1)],
+                [(10, 1), (0, 1)],
+                [(20, 1), (0, 1)],
+                [(30, 1), (8, 9)],
+            ]),
+            epsilon: fraction(1, 4),
+            right: "≤ 1/√2, with the sine of ε/2",
+        },
+        Counterexample {
+            case: "case 3: m₁ < m̃₂",
+            condition: "sin(ε/2)·μ₀√K/(K₁√ε) < 2",
+            words: "the quadratic (0, 0), (20, 0), (40, 4)",
+            curve: line(&[[(0, 1), (0, 1)], [(20, 1), (0, 1)], [(40, 1), (4, 1)]]),
+            epsilon: fraction(1, 4),
+            right: "≤ 1/2",
+        },
+        Counterexample {
+            case: "case 4: m₂ < m̃₁",
+            condition: "Xε/K₀² < 8/3",
+            words: "the cubic on a line with c' = 1.15, −0.85, 1.15 as Bernstein coefficients",
+            curve: line(&[
+                [(0, 1), (0, 1)],
+                [(23, 60), (0, 1)],
+                [(1, 10), (0, 1)],
+                [(29, 60), (0, 1)],
+            ]),
+            epsilon: whole(1),
+            right: "≤ 3/2",
+        },
+    ]
+}
+
+impl Counterexample {
+    fn row(&self, number: usize) -> Row {
+        let epsilon = &self.epsilon;
+        let pieces = measure(&self.curve.chain()).expect("polynomial pieces");
+        let bounds = bounds(&pieces, Norm::Infinity);
+        let found = extremes(&self.curve.chain()).expect("polynomial pieces");
+        let both = [epsilon.clone(), epsilon.clone()];
+        let square = epsilon * epsilon;
+        let (k_squared, x_squared) = (&bounds.distance_squared, &bounds.derivative_printed_squared);
+        let m1 = least_power(&(k_squared / &square), 4);
+        let m2 = least_power(&(x_squared / (&square * whole(4))), 4);
+        let (k, x) = (
+            Exact::root(k_squared).ends().0.clone(),
+            Exact::root(x_squared).ends().0.clone(),
+        );
+        // The left side, squared where a root stands in it.
+        let slow = |part: i64, factor: &Rational| -> Rational {
+            let sine = sine(&(epsilon / whole(part)), 200).expect("a small angle").1;
+            let product = sine * &found.least_speed[1] / &found.acceleration[0];
+            &product * &product * factor / epsilon
+        };
+        let (left, holds) = match number {
+            1 => {
+                let left = whole(3) * &found.speed[0] * &found.speed[0] / (&k * epsilon);
+                (Exact::from(left.clone()), left > fraction(1, 4))
+            }
+            2 => (Exact::root(&slow(4, &x)), slow(4, &x) < whole(8)),
+            3 => (Exact::root(&slow(2, &k)), slow(2, &k) < whole(4)),
+            _ => {
+                let left = &x * epsilon / (&found.speed[0] * &found.speed[0]);
+                (Exact::from(left.clone()), left < fraction(8, 3))
+            }
+        };
+        let (name, new) = if number == 1 || number == 3 {
+            ("m₁", m1)
+        } else {
+            ("m₂", m2)
+        };
+        let (old_name, old) = match number {
+            1 | 4 => ("m̃₁", exactly(found.m1(&both))),
+            _ => ("m̃₂", exactly(found.m2(&both))),
+        };
+        let new = new.expect("a number");
+        assert!(holds && new >= 0);
+        row(
+            self.case,
+            &format!("if {}", self.condition),
+            &format!(
+                "{}, ε = {epsilon}: the left side is {}, and {name} = {new}, {old_name} = {old}. (True with {}.)",
+                self.words,
+                left.show(4),
+                self.right
+            ),
+            Verdict::holds(new < old),
+        )
+    }
 }
 
 /// The quantities that the formulas take from the example's curve.
@@ -128,15 +253,6 @@ fn cases(example: &Example) -> Vec<Row> {
         .map(|piece| piece.second.infinity.clone())
         .max()
         .expect("pieces");
-    // Case 1 fails for a curve of degree 5.
-    let steep = chebyshev();
-    let steep_k = Exact::root(&bounds(&measure(&steep.chain()).expect("polynomial"), Norm::Infinity).distance_squared);
-    let steep_k = steep_k.ends().0.clone();
-    let steep_epsilon = &steep_k / whole(2);
-    let steep_found = extremes(&steep.chain()).expect("polynomial");
-    let steep_m1 = least_power(&(&steep_k / &steep_epsilon), 2).expect("positive");
-    let steep_old = exactly(steep_found.m1(&[steep_epsilon.clone(), steep_epsilon.clone()]));
-    let steep_left = whole(3) * &steep_found.speed[0] * &steep_found.speed[0] / (&steep_k * &steep_epsilon);
     // sin(ε/2)·μ₀/(K₁√ε), squared, and times K and X.
     let angle = |part: i64| sine(&(&epsilon / whole(part)), 200).expect("a small angle");
     let form = |factor: &Rational, part: i64| -> Exact {
@@ -158,15 +274,15 @@ fn cases(example: &Example) -> Vec<Row> {
     vec![
         row(
             "case 1, (4)",
-            "3K₀²/(Kε) > 1/4 implies m₁ < m̃₁",
+            "3K₀²/(Kε) > 1/4",
             &format!(
-                "x < y + 1, and nothing more. The curve of degree 5 on a line whose derivative is Chebyshev's polynomial T₄(2t − 1) has K₀ = {}, K = {}; with ε = {} the left side is {} and m₁ = {steep_m1}, m̃₁ = {steep_old}. (With 4 in place of 1/4 it is true.)",
-                steep_found.speed[0],
-                Exact::from(steep_k.clone()),
-                Exact::from(steep_epsilon.clone()),
-                Exact::from(steep_left.clone()).show(4),
+                "the right form of x < y + 1. The example: {}",
+                Exact::from(whole(3) * &speed[0] * &speed[0] / (&k * &epsilon)).show(6)
             ),
-            Verdict::holds(steep_m1 < steep_old || steep_left <= fraction(1, 4)),
+            Verdict::equal(
+                (whole(3) * &speed[0] * &speed[0] / (&k * &epsilon) > fraction(1, 4))
+                    == (&k / &epsilon < whole(12) * &speed[0] * &speed[0] / (&epsilon * &epsilon)),
+            ),
         ),
         noted(
             "cubic, ε = 0.01",

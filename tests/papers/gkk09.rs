@@ -145,6 +145,12 @@ fn propositions() -> Vec<Row> {
         + determinant(&jets[1], &jets[0], &jets[3]) * &d[1]
         + determinant(&jets[1], &jets[2], &jets[0]) * &d[2]
         + determinant(&jets[1], &jets[2], &jets[3]);
+    // c = 0 and N' ≠ 0 in the plane.
+    let (n1, n2) = (whole(2), whole(3));
+    let (s1, s2) = ([whole(7), whole(17)], [whole(7) * &n2 / &n1, whole(17) * &n2 / &n1]);
+    let dependent = &n1 * &s2[0] == &n2 * &s1[0] && &n1 * &s2[1] == &n2 * &s1[1] && &s1[0] * &s2[1] == &s2[0] * &s1[1];
+    let star = s1.clone().map(|s| -s / &n1);
+    let only = (0..2).all(|axis| &star[axis] * &n1 + &s1[axis] == whole(0));
     // N = t, s = (t³, t⁴): F(d; t) at t = 0.
     let flat = bezier(&[
         vec![whole(0), whole(0)],
@@ -227,15 +233,45 @@ fn propositions() -> Vec<Row> {
             Verdict::Different,
         ),
         row(
+            "Proposition 1",
+            "c ≠ 0: D is an open half-plane or half-space",
+            "Lemmas 1 and 3 of [domain.md](domain.md): where h ≠ 0 the point is ordinary, and h is affine",
+            Verdict::proved(),
+        ),
+        row(
+            "Proposition 2, (8) and b(t₀) = 0",
+            "c = 0, Ṅ ≠ 0: s̈ = ṡ·N̈/Ṅ, so h ≡ 0",
+            "the same, by numbers in place of the derivatives; in space N', s₁', s₂', s₃' and their derivatives have rank 2 at most, so 𝓗 ≡ 0 too",
+            Verdict::equal(dependent),
+        ),
+        row(
+            "(9)",
+            "F is not regular for d* = −ṡ/Ṅ alone",
+            "Ḟ = d Ṅ + ṡ: the same",
+            Verdict::equal(only),
+        ),
+        row(
+            "Proposition 2(ii)",
+            "c = 0, Ṅ = 0, ṡ ≠ 0: D is empty or everything",
+            "h = b for every d; where 𝓗 ≠ 0 curvature is not 0 either",
+            Verdict::proved(),
+        ),
+        row(
+            "Proposition 2(iii)",
+            "Ṅ = 0, ṡ = 0: h vanishes for every d",
+            "every determinant of (3) and (6) has a zero column",
+            Verdict::proved(),
+        ),
+        row(
             "Proposition 2(i), plane",
             "D(t₀) is empty or one point d*",
             &format!(
-                "Definition 1 asks for an ordinary point, and F'(d*; t₀) = 0: it is always empty. N = t, s = (t³, t⁴), t₀ = 0, d* = 0: F' = ({}, {}), while the sign of curvature tends to {}",
+                "the proof counts d* in, but Definition 1 asks for an ordinary point, and F'(d*; t₀) = 0: D is always empty. N = t, s = (t³, t⁴), t₀ = 0, d* = 0: F' = ({}, {}), while the sign of curvature tends to {}",
                 start[1][0],
                 start[1][1],
                 if curvature.numer().is_positive() { "+" } else { "−" }
             ),
-            Verdict::holds(start[1].iter().any(|x| *x != whole(0))),
+            Verdict::unproved(start[1].iter().all(|x| *x == whole(0))),
         ),
         row(
             "Proposition 2(i), space (\"without loss of generality … the planar case\")",
@@ -246,7 +282,7 @@ fn propositions() -> Vec<Row> {
                 Exact::from(limits[1].1.clone()).show(4),
                 Exact::from(limits[2].1.clone()).show(4)
             ),
-            Verdict::holds(!(limits.iter().all(|(none, _)| *none) && positive == 2)),
+            Verdict::unproved(limits.iter().all(|(none, _)| *none) && positive == 2),
         ),
         row(
             "after (12)",
@@ -305,7 +341,8 @@ fn insertion() -> Vec<Row> {
     }
     let formula: Vec<usize> = (1..4).map(|level| 3 + (1 << (level - 1)) + 1).collect();
     // Coefficients against values at the Greville abscissae, at the control point's own position.
-    let mut parts = vec![at(&function, &points[1])];
+    let quintic = control_points(&file("domain-quintic-bounded").chain().pieces()[0]);
+    let mut parts = vec![at(&sign_function(&quintic, 2), &quintic[2])];
     let mut gaps = Vec::new();
     for _ in 0..7 {
         let gap = parts.iter().map(|part| {
@@ -338,7 +375,13 @@ fn insertion() -> Vec<Row> {
             "(14)",
             "sufficient for (13)",
             "basis functions are not negative and sum to 1",
-            Verdict::holds(same),
+            Verdict::proved(),
+        ),
+        row(
+            "(13)",
+            "p + 1 functions of order q need the knots t₀, …, t_{p+q}",
+            &format!("p = {}, q = 4: {} knots", inserted[0] - 1, knots.len()),
+            Verdict::equal(knots.len() == inserted[0] + 4),
         ),
         row(
             "(15), for p + 1 = 4, λ = 1, ℓ = 1, 2, 3",
@@ -359,7 +402,7 @@ fn insertion() -> Vec<Row> {
             "(18)",
             "coefficients converge quadratically to the values at the Greville abscissae",
             &format!(
-                "`domain-cubic.json`: the greatest difference falls by {} from level to level",
+                "`domain-quintic-bounded.json`: the greatest difference falls by {} from level to level",
                 quotients
                     .iter()
                     .map(|x| Exact::from(x.clone()).show(4))

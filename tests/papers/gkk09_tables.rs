@@ -237,7 +237,15 @@ impl Table {
                 own[0] < before[1]
             };
             rows.push(row(
-                &format!("{} at ℓ = {} and {}", self.measure, first.level, second.level - 1),
+                &match next {
+                    true => format!("{} at ℓ = {}, twice", self.measure, first.level),
+                    false => format!(
+                        "{} at ℓ = {} and at ℓ = {}",
+                        self.measure,
+                        first.level,
+                        second.level - 1
+                    ),
+                },
                 &format!(
                     "{0}/{1} + {0} {2} {3}/{4}",
                     first.absolute,

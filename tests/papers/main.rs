@@ -27,8 +27,8 @@ const HEAD: &str = "\
 # What the papers print
 
 Four papers are implemented here. This page lists what they print about a curve or a formula and what can be computed again from their text: numbers, counts, formulas, inequalities and claims, each beside the value
-and with a verdict. The file is written by `tests/papers`: every value is computed with exact fractions or enclosed by them, and every verdict follows from a comparison. `cargo test --test papers` fails when
-the page is not what the generator writes.
+and with a verdict. The file is written by `tests/papers`: values are computed with exact fractions or enclosed by them (what is decided in binary64 says so), σ, deviations and motions are accepted by the checker first, and every verdict on a number follows
+from a comparison. `cargo test --test papers` fails when the page is not what the generator writes.
 
 - **MP06**: E. L. F. Moore, T. J. Peters, *Floating Point Geometric Algorithms for Topologically Correct Scientific Visualization* (2006).
 - **CPJ12**: H. P. Cassidy, T. J. Peters, K. E. Jordan, *Dynamic Computational Topology for Piecewise Linear Curves* (CCCG 2012).
@@ -48,7 +48,7 @@ The texts were read by machine from printed pages. A damaged formula may be the 
 | proof does not hold | a step of the argument is false, by the counterexample beside it |
 | cannot be recomputed | the text does not determine it; the reason is given |
 
-Decimals that end in … are cut off. A fraction stands for itself. σ is the length of the shortest double normal in the convention `smooth` of [msd.md](msd.md).
+Decimals that end in … are cut off; \"a to b\" is an enclosure. A fraction stands for itself, and so does a decimal without …. σ is the length of the shortest double normal in the convention `smooth` of [msd.md](msd.md).
 ";
 
 fn page() -> String {

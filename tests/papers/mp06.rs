@@ -6,7 +6,7 @@ use knotproof::number::Rational;
 
 use crate::certified::separation;
 use crate::exact::{
-    control_points, cross, dot, file, fraction, minus, number, numbers, points, shown, squared, times, whole,
+    bezier, control_points, cross, dot, file, fraction, minus, number, numbers, points, shown, squared, times, whole,
 };
 use crate::mp06_search;
 use crate::table::{Exact, Page, Row, Verdict, noted, row};
@@ -66,7 +66,8 @@ fn definitions(curve: &Curve) -> Vec<Row> {
     let zero = |x: &Rational| *x == whole(0);
     let (f, g) = (dot(&chord, &start[1]), dot(&chord, &end[1]));
     let literal = zero(&f) && zero(&g) && zero(&squared(&chord));
-    let square = file("segment");
+    let segment = file("segment");
+    let straight = segment.chain().pieces()[0].clone();
     let none = ["segment", "parabola"].map(|name| separation(&file(name), Convention::Smooth));
     vec![
         row(
@@ -83,13 +84,9 @@ fn definitions(curve: &Curve) -> Vec<Row> {
             "Definition 1.2",
             "\"For compact curves, this minimum has been shown to be positive\"",
             &format!(
-                "a straight segment ({}) and the parabola y = x², −1 ≤ x ≤ 1, have no doubly normal segment: certified by trees of {} and {} leaves. The minimum is over the empty set",
-                shown(&minus(
-                    &square.chain().pieces()[0].point(1),
-                    &square.chain().pieces()[0].point(0)
-                )),
-                none[0].leaves,
-                none[1].leaves,
+                "the straight segment {} to {} and the parabola y = x², −1 ≤ x ≤ 1, have no doubly normal segment, certified. The minimum is over the empty set",
+                shown(&straight.point(0)),
+                shown(&straight.point(1)),
             ),
             Verdict::holds(!none.iter().all(|found| found.is_infinite())),
         ),
@@ -260,7 +257,7 @@ pub fn sigma(curve: &Curve) -> Vec<Row> {
         let knot: Exact = [0, 1].map(|i| chain.knot_at(&end[i]).expect("on the curve")).into();
         format!("on piece {piece}, at {knot} in the knots of the B-spline")
     };
-    let exact = format!("{}, a tree of {} leaves", sigma.show(29), found.leaves);
+    let exact = format!("{}, certified", sigma.show(28));
     vec![
         row(
             "\"the distance … is 0.4427, which is the global separation\"",
@@ -271,4 +268,13 @@ pub fn sigma(curve: &Curve) -> Vec<Row> {
         noted("its ends", "s = ", "0.4774", local(s, 0), &note(s, 0)),
         noted("", "t = ", "0.7845", local(t, 2), &note(t, 2)),
     ]
+}
+
+/// The curve of the printed Bézier segments.
+pub fn printed_segments() -> Curve {
+    let piece = |(_, text): &(&str, &str)| {
+        let numbers = |p: &Vec<&str>| p.iter().map(|x| number(x)).collect();
+        bezier(&points(text).iter().map(numbers).collect::<Vec<_>>())
+    };
+    Curve::new(3, Form::Bezier(SEGMENTS.iter().map(piece).collect())).expect("pieces that join")
 }

@@ -5,7 +5,7 @@ use knotproof::float;
 use knotproof::number::{Rational, RationalExt};
 
 use crate::exact::{dot, fraction, minus, number, squared, whole};
-use crate::mp06::sigma;
+use crate::mp06::{printed_segments, sigma};
 use crate::sampling::{Found, Piece, Sample, inner_parameters, newton, samples, short_chords, shortest};
 use crate::table::{Exact, Page, Row, Verdict, named, noted, rounded_from, row, unknown, value};
 use crate::unique;
@@ -21,6 +21,7 @@ pub fn write(page: &mut Page, curve: &Curve) {
         &[
             "samples of each segment, n = 1000, ε₁ = 0.001, ε₂ = 0.01",
             "shortest chord that passes",
+            "with the control points of the segments as printed",
         ],
         &placements(curve),
     );
@@ -35,7 +36,7 @@ const TABLE_1: &str = "\
 The tests are repeated with the samples k/n, 0 < k < n, of each segment and with magnitudes in (10) and (11). Whether a chord passes is decided in binary64; the length of the chord found is exact. Test 4 depends on where the samples lie:";
 
 const CULLING: &str = "\
-The two tests compare a dot product without an absolute value; a strongly negative product passes. As printed, the inequalities would have given the right value in tests 3 and 4 too: the program must have compared magnitudes.
+The two tests compare a dot product without an absolute value; a strongly negative product passes. As printed, the inequalities find a chord beside the shortest double normal in tests 3 and 4 too: the program must have compared magnitudes.
 
 What tests 3 and 4 show is the point of a certificate: from within, a wrong value looks like a right one. Sampling and Newton's method give upper bounds (up to rounding). That no shorter double normal exists is a statement of another kind.";
 
@@ -138,6 +139,34 @@ fn table_1(curve: &Curve) -> Vec<Row> {
         "0.44268",
         Exact::root(&squared(&minus(&p, &q))),
     ));
+    let all = samples(&pieces, &inner_parameters(2000));
+    let second = length(
+        &chain,
+        &all,
+        &shortest(&all, [0.001, 0.01], true, 0.45).expect("a chord passes"),
+    );
+    rows.push(row(
+        "\"n = 2000 is sufficient to compute the global separation of 0.4427\"",
+        "0.4427",
+        "with samples k/n",
+        Verdict::holds(Verdict::of("0.4427", &second) == Verdict::Rounded),
+    ));
+    let middles: Vec<Rational> = (1..=1000).map(|k| fraction(2 * k - 1, 2000)).collect();
+    let all = samples(&pieces, &middles);
+    let fourth = length(
+        &chain,
+        &all,
+        &shortest(&all, [0.001, 0.01], true, 1.0).expect("a chord passes"),
+    );
+    rows.push(row(
+        "\"n = 1000 is not sufficient\"",
+        "not 0.4427",
+        &format!(
+            "it depends on where the samples lie: with (k−½)/n test 4 gives {}",
+            fourth.show(8)
+        ),
+        Verdict::holds(Verdict::of("0.4427", &fourth) != Verdict::Rounded),
+    ));
     rows.push(unknown(
         "times",
         "85 s, 6 s, 6 s, 2 s, negligible",
@@ -148,8 +177,8 @@ fn table_1(curve: &Curve) -> Vec<Row> {
 
 /// Where the samples of test 4 may lie.
 fn placements(curve: &Curve) -> Vec<Vec<String>> {
-    let chain = curve.chain();
-    let pieces = Piece::all(&chain);
+    // The control points of the segments as printed, rounded to four decimals.
+    let rounded = printed_segments();
     let n = 1000;
     let parameters: [(&str, Vec<Rational>); 5] = [
         ("k/n, 0 < k < n", inner_parameters(n)),
@@ -161,10 +190,14 @@ fn placements(curve: &Curve) -> Vec<Vec<String>> {
             (1..=n).map(|k| fraction(2 * k - 1, 2 * n)).collect(),
         ),
     ];
-    let line = |(name, parameters): (&str, Vec<Rational>)| {
-        let all = samples(&pieces, &parameters);
+    let found = |curve: &Curve, parameters: &[Rational]| {
+        let chain = curve.chain();
+        let all = samples(&Piece::all(&chain), parameters);
         let found = shortest(&all, [0.001, 0.01], true, 1.5).expect("a chord passes");
-        vec![name.into(), length(&chain, &all, &found).show(8)]
+        length(&chain, &all, &found).show(8)
+    };
+    let line = |(name, parameters): (&str, Vec<Rational>)| {
+        vec![name.into(), found(curve, &parameters), found(&rounded, &parameters)]
     };
     parameters.into_iter().map(line).collect()
 }

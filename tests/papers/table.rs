@@ -3,12 +3,14 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use knotproof::number::{Integer, Meaning, Rational, decimal_down, parse_number, sqrt_enclosure};
+use knotproof::number::{Integer, Meaning, Rational, decimal_down, decimal_up, parse_number, sqrt_enclosure};
 
 /// Roots are enclosed this closely.
 const ROOT_BITS: u32 = 200;
 /// So many significant digits of a value are shown.
 const DIGITS: usize = 10;
+/// With fewer digits in common both ends of an enclosure are shown.
+const LEAST_DIGITS: usize = 4;
 
 /// A value that was computed.
 #[derive(Clone, Debug)]
@@ -59,8 +61,12 @@ impl Exact {
                 let common = (1..=digits)
                     .rev()
                     .find(|digits| towards_zero(low, *digits) == towards_zero(high, *digits));
-                let common = common.expect("an enclosure with a digit in common");
-                format!("{}…", towards_zero(low, common))
+
+                match common {
+                    Some(common) if common >= LEAST_DIGITS.min(digits) => format!("{}…", towards_zero(low, common)),
+                    // A value that may have few digits itself has enclosures without common ones.
+                    _ => format!("{} to {}", decimal_down(low, digits), decimal_up(high, digits)),
+                }
             }
         }
     }
@@ -172,6 +178,11 @@ impl Verdict {
         if does { Verdict::Holds } else { Verdict::Fails }
     }
 
+    /// `Holds`, by a proof that the row names.
+    pub fn proved() -> Verdict {
+        Verdict::Holds
+    }
+
     /// `Unproved`, because of a false step.
     ///
     /// # Panics
@@ -242,7 +253,11 @@ pub fn named(place: &str, name: &str, printed: &str, exact: impl Into<Exact>) ->
 pub fn noted(place: &str, name: &str, printed: &str, exact: impl Into<Exact>, note: &str) -> Row {
     let exact = exact.into();
     let verdict = Verdict::of(printed, &exact);
-    let space = if note.is_empty() { "" } else { " " };
+    let space = if note.is_empty() || note.starts_with([',', ':', ';']) {
+        ""
+    } else {
+        " "
+    };
     row(
         place,
         &format!("{name}{printed}"),
@@ -377,10 +392,8 @@ fn values_as_text() {
     assert_eq!(text(-1024, 1), "-1024");
     assert_eq!(text(-123_456, 1), "-123,456");
     assert_eq!(Exact::root(&whole(2)).show(5), "1.4142…");
-    assert_eq!(
-        Exact::Between(whole(1), Rational::new(101.into(), 100.into())).to_string(),
-        "1…"
-    );
+    let [low, high] = ["1.19999999", "1.2"].map(|x| parse_number(x, Meaning::Decimal).unwrap());
+    assert_eq!(Exact::Between(low, high).to_string(), "1.19999999 to 1.2");
 }
 
 #[test]
