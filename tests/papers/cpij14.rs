@@ -108,8 +108,25 @@ impl Moving {
     }
 }
 
+/// What the text of the page says of all frames.
+fn of_all_frames(moving: &Moving) {
+    assert_eq!((moving.motion.points().count(), moving.motion.steps), (43, 10));
+    let kinds = [0, 1, U, 3, 4, J, V, 41, 42].map(|j| moving.motion.points().kind(j));
+    assert_eq!(kinds, [3, 3, 1, 2, 1, 2, 1, 3, 3]);
+    for (i, frame) in moving.frames.iter().enumerate() {
+        assert_eq!(moving.second(i).1, [U, V]);
+        let farthest = infinity(&minus(&frame[V], &moving.frames[0][V]));
+        assert_eq!(farthest, moving.displacement(i));
+        // p_u and p_v at step 10 are the only two vertices that meet.
+        let pairs = (0..frame.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
+        let meeting: Vec<(usize, usize)> = pairs.filter(|(a, b)| frame[*a] == frame[*b]).collect();
+        assert_eq!(meeting, if i == 10 { vec![(V, U)] } else { vec![] });
+    }
+}
+
 pub fn write(page: &mut Page) {
     let moving = moving("cpij14-experiment-1.json");
+    of_all_frames(&moving);
     page.heading(2, "CPIJ14");
     page.text(INTRODUCTION);
     page.heading(3, "§2 and §4, definitions");

@@ -100,6 +100,7 @@ pub fn write(page: &mut Page) {
     for (i, table) in TABLES.iter().enumerate() {
         page.heading(3, &format!("§4, {}", table.name));
         page.table(table.rows(i));
+        page.text(&table.first());
     }
     page.text(TIMES);
 }
@@ -182,6 +183,19 @@ impl Table {
         }
         rows.push(unknown("CPU time", self.times, "times of a laptop of 2009"));
         rows
+    }
+
+    /// The measure before the second column, which no column shows.
+    fn first(&self) -> String {
+        let second = &self.columns[1];
+        format!(
+            "Not printed, but it follows: the {} at ℓ = {} is {}/{}, in {}.",
+            self.measure,
+            second.level - 1,
+            second.absolute,
+            second.relative,
+            shown(&second.before())
+        )
     }
 
     fn counts(&self, number_of_table: usize) -> Vec<Row> {
