@@ -8,6 +8,7 @@ mod cpij14;
 mod cpij14_rules;
 mod cpj12;
 mod cpj12_example;
+mod double_normals;
 mod exact;
 mod gkk09;
 mod gkk09_tables;
@@ -15,7 +16,6 @@ mod mp06;
 mod mp06_search;
 mod sampling;
 mod table;
-mod unique;
 
 use std::fmt::Write as _;
 

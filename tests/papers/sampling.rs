@@ -114,15 +114,28 @@ pub fn short_chords(samples: &[Sample], reach: f64, mut look: impl FnMut(Found))
     }
 }
 
-/// The shortest chord shorter than `reach` that passes the doubly normal test with magnitudes, or as printed.
-pub fn shortest(samples: &[Sample], epsilon: [f64; 2], magnitudes: bool, reach: f64) -> Option<Found> {
+/// Which chords are tested, and how.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Test {
+    /// As printed, without an absolute value; all chords in both directions.
+    Printed,
+    /// Magnitudes; all chords in both directions.
+    BothWays,
+    /// Magnitudes; chords between two segments only from the one with the lower number, as MP06's number of tests has it.
+    OneWay,
+}
+
+/// The shortest chord shorter than `reach` that passes the doubly normal test.
+pub fn shortest(samples: &[Sample], epsilon: [f64; 2], test: Test, reach: f64) -> Option<Found> {
     let mut best: Option<Found> = None;
     short_chords(samples, reach, |found| {
+        if test == Test::OneWay && samples[found.ends[0]].piece > samples[found.ends[1]].piece {
+            return;
+        }
         let passes = |i: usize| {
-            let product = if magnitudes {
-                found.products[i].abs()
-            } else {
-                found.products[i]
+            let product = match test {
+                Test::Printed => found.products[i],
+                _ => found.products[i].abs(),
             };
             product < epsilon[i]
         };
