@@ -159,7 +159,7 @@ pub fn definitions() -> Vec<Row> {
             "after α subdivisions",
             "(1/2)^{2a} ‖Δ₂X‖_∞ N∞(d)",
             "(1/2)^{2α} (misprint)",
-            Verdict::Different,
+            Verdict::misprint(),
         ),
         row(
             "N∞(d)",
@@ -251,12 +251,12 @@ pub fn claims() -> Vec<Row> {
             ),
             Verdict::holds(actual <= printed),
         ),
-        row("Example 2", "p₂ → p₂ + γ₂", "p₂ + γ (misprint)", Verdict::Different),
+        row("Example 2", "p₂ → p₂ + γ₂", "p₂ + γ (misprint)", Verdict::misprint()),
         row(
             "§6.3",
             "\"Let p_j and p_{j+2} be type 1 …, so p_j is a type 2\"",
             "p_{j+1} is of type 2 (misprint)",
-            Verdict::Different,
+            Verdict::misprint(),
         ),
         row(
             "§6.3",

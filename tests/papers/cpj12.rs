@@ -89,7 +89,7 @@ fn distance(example: &Example) -> Vec<Row> {
         .map(|v| infinity(v))
         .max()
         .expect("differences");
-    let floors = fraction(1, 6);
+    let floors = fraction((3 / 2) * (3 / 2), 2 * 3);
     let attained = deviation(&bezier_curve(&cubic), 0);
     let proved = nairn_peters_lutterkort(3);
     let spike = whole_points(&[[0, 0, 0], [1, 1, 1], [0, 0, 0]]);
@@ -104,7 +104,10 @@ fn distance(example: &Example) -> Vec<Row> {
     let euclidean = bounds(&example.pieces, Norm::Euclidean).distance_squared;
     let largest = deviation(&example.curve, 0);
     let parabola = deviation(&file("parabola"), 0);
-    let k = fraction(11, 4);
+    let k = Exact::root(&example.plan(Norm::Infinity).bounds.distance_squared)
+        .ends()
+        .0
+        .clone();
     let m1 = least_power(&(&k / fraction(1, 100)), 2).expect("positive");
     let reaches = |m: i64| fraction(1, 100) * whole(4_i64.pow(m as u32)) >= k;
     vec![

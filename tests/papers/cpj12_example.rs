@@ -66,7 +66,7 @@ pub fn write(page: &mut Page, example: &Example) {
     page.heading(3, "§5, the example");
     page.text(THE_CURVE);
     page.table(the_example(example));
-    page.text(LAMBDA);
+    page.text(&lambda_text(example));
     page.table(lambda(example));
 }
 
@@ -76,9 +76,21 @@ With m₁ = ⌈x⌉ and m̃₁ = ⌈y⌉ the paper asks for x < y + 1 and conclu
 const THE_CURVE: &str = "\
 The example is \"a composite cubic Bézier curve, consisting of five sub-curves, that forms a trefoil knot\". Its control points are in an extended version that is not at hand. The curve of MP06's Figure 1 has five cubic pieces, is a trefoil, comes from the same group, and fits the printed relative error. So the example is taken to be that curve.";
 
+/// Why the algorithm misses σ.
+fn lambda_text(example: &Example) -> String {
+    let chain = example.curve.chain();
+    let ends = example.sigma.ends.as_ref().expect("a box");
+    let speeds = ends.each_ref().map(|[low, high]| {
+        let (piece, u) = chain.locate(&((low + high) / whole(2))).expect("on the curve");
+        let derivative = chain.pieces()[piece].derivatives(&u, 1).expect("inside");
+        Exact::root(&squared(&derivative[1])).show(3)
+    });
+    format!("{LAMBDA} {} and {} the products are above ε_d.", speeds[0], speeds[1])
+}
+
 const LAMBDA: &str = "\
 λ_c is not printed. The algorithm as printed, with the printed m = 6 and ε_d = 0.01 and exact arithmetic, returns for this curve a value that MP06 know to be wrong (test 4 of their Table 1), and for the same reason: a tolerance too small for the sampling. The nearest points of two edges make a chord that is
-orthogonal to the edges; D_m has another direction there, and as |c'| is about 6 the product is above ε_d.";
+orthogonal to the edges; D_m has another direction there, and as |c'| is";
 
 fn exactly(m: Subdivisions) -> i64 {
     match m {
@@ -106,17 +118,17 @@ fn counterexamples() -> [Counterexample; 4] {
             .collect();
         bezier_curve(&points)
     };
-    // c' is Chebyshev's polynomial of degree 4: steep differences, |c'| ≤ 1.
+    // Chebyshev's polynomial of degree 4 has steep differences and stays between −1 and 1.
     let mut steep = vec![vec![whole(0), whole(0)]];
     for x in [whole(1), whole(-7), fraction(35, 3), whole(-7), whole(1)] {
         let last: &Point = &steep[steep.len() - 1];
-        steep.push(plus(last, &[x / whole(5), whole(0)]));
+        steep.push(plus(last, &[x / whole(5), fraction(1, 20)]));
     }
     [
         Counterexample {
             case: "case 1: m₁ < m̃₁",
             condition: "3K₀²/(Kε) > 1/4",
-            words: "the curve of degree 5 on a line whose derivative is Chebyshev's polynomial T₄(2t − 1)",
+            words: "the curve of degree 5 with c' = (T₄(2t − 1), 1/4), T₄ Chebyshev's polynomial",
             curve: bezier_curve(&steep),
             epsilon: fraction(28, 25),
             right: "> 4",
@@ -145,12 +157,12 @@ fn counterexamples() -> [Counterexample; 4] {
         Counterexample {
             case: "case 4: m₂ < m̃₁",
             condition: "Xε/K₀² < 8/3",
-            words: "the cubic on a line with c' = 1.15, −0.85, 1.15 as Bernstein coefficients",
+            words: "the cubic (0, 0), (23/60, 1/12), (1/10, 1/6), (29/60, 1/4)",
             curve: line(&[
                 [(0, 1), (0, 1)],
-                [(23, 60), (0, 1)],
-                [(1, 10), (0, 1)],
-                [(29, 60), (0, 1)],
+                [(23, 60), (1, 12)],
+                [(1, 10), (1, 6)],
+                [(29, 60), (1, 4)],
             ]),
             epsilon: whole(1),
             right: "≤ 3/2",

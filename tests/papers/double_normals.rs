@@ -10,7 +10,7 @@ use crate::table::Exact;
 /// Parts that are at least so small are tried as boxes.
 const DEPTH: u32 = 4;
 /// Zeros are enclosed to this many bits after the point.
-const BITS: u32 = 90;
+const BITS: u32 = 64;
 
 type Interval = [Rational; 2];
 
@@ -25,8 +25,6 @@ pub struct DoubleNormal {
 pub struct All {
     /// The double normals, the shortest first. There is no other.
     pub found: Vec<DoubleNormal>,
-    /// Pairs of parts that were excluded.
-    pub excluded: usize,
 }
 
 /// A dyadic part of a piece.
@@ -95,20 +93,17 @@ pub fn double_normals(curve: &Curve) -> All {
     }
     let total = whole(chain.count() as i64);
     let smallest = fraction(1, 1 << DEPTH);
-    let mut excluded = 0;
     let mut zeros: Vec<Zero> = Vec::new();
     while let Some((a, b)) = stack.pop() {
         assert!(stack.len() < 10_000, "too many pairs of parts");
         if is_not_normal(&a, &b) || is_cone(&a, &b, &total) {
-            excluded += 1;
             continue;
         }
         let small = &a.end - &a.start <= smallest && &b.end - &b.start <= smallest;
         let numbers = [&a, &b].map(|part| part.start.to_integer().to_u64().expect("a piece") as usize);
-        match small.then(|| krawczyk(pieces, numbers, &a, &b)).flatten() {
-            Some(Some(zero)) if zero.is_beyond_its_pieces() => excluded += 1,
-            Some(Some(zero)) => note(&mut zeros, zero),
-            Some(None) => excluded += 1,
+        match small.then(|| krawczyk(pieces, numbers, [&a, &b], &zeros)).flatten() {
+            Some(Some(zero)) if !zero.is_beyond_its_pieces() => note(&mut zeros, zero),
+            Some(_) => {}
             None if a.start == b.start && a.end == b.end => {
                 let [left, right] = a.halves();
                 stack.extend([
@@ -123,7 +118,7 @@ pub fn double_normals(curve: &Curve) -> All {
     }
     let mut found: Vec<DoubleNormal> = zeros.iter().map(|zero| zero.double_normal(pieces)).collect();
     found.sort_by(|a, b| a.length.ends().0.cmp(b.length.ends().0));
-    All { found, excluded }
+    All { found }
 }
 
 impl Zero {
@@ -151,13 +146,14 @@ impl Zero {
     }
 }
 
-/// Keeps a zero that is new: two zeros that lie each in the box in which the other is the only one are the same.
+fn is_inside(at: &[Interval; 2], container: &[Interval; 2]) -> bool {
+    (0..2).all(|i| container[i][0] <= at[i][0] && at[i][1] <= container[i][1])
+}
+
+/// Keeps a zero that is new, and does not lie in a box in which another is the only one.
 fn note(zeros: &mut Vec<Zero>, zero: Zero) {
-    let inside = |at: &[Interval; 2], container: &[Interval; 2]| {
-        (0..2).all(|i| container[i][0] <= at[i][0] && at[i][1] <= container[i][1])
-    };
     for known in zeros.iter().filter(|known| known.numbers == zero.numbers) {
-        if inside(&known.at, &zero.unique_in) && inside(&zero.at, &known.unique_in) {
+        if is_inside(&zero.at, &known.unique_in) {
             return;
         }
         let apart = (0..2).any(|i| known.at[i][1] < zero.at[i][0] || zero.at[i][1] < known.at[i][0]);
@@ -167,13 +163,13 @@ fn note(zeros: &mut Vec<Zero>, zero: Zero) {
 }
 
 /// Exactly one zero near a pair of parts, none, or no answer: the operator K(X) = m − Y F(m) + (1 − Y J(X))(X − m), on a box X three times as wide as the parts.
-/// K(X) inside X: exactly one zero in X, and it is in K(X). K(X) and X disjoint: none.
-fn krawczyk(pieces: &[Bezier], numbers: [usize; 2], a: &Part, b: &Part) -> Option<Option<Zero>> {
+/// K(X) inside X: exactly one zero in X, and it is in K(X). K(X) and X disjoint: none. The only zero may also be one that is known: then there is none that is new.
+fn krawczyk(pieces: &[Bezier], numbers: [usize; 2], parts: [&Part; 2], known: &[Zero]) -> Option<Option<Zero>> {
     let wide = |part: &Part, i: usize| -> Interval {
         let (from, width) = (&part.start - whole(numbers[i] as i64), &part.end - &part.start);
         [&from - &width, &from + &width * whole(2)]
     };
-    let first = [wide(a, 0), wide(b, 1)];
+    let first = [wide(parts[0], 0), wide(parts[1], 1)];
     let next = step(pieces, numbers, &first)?;
     if (0..2).any(|i| next[i][1] < first[i][0] || first[i][1] < next[i][0]) {
         return Some(None);
@@ -182,6 +178,15 @@ fn krawczyk(pieces: &[Bezier], numbers: [usize; 2], a: &Part, b: &Part) -> Optio
     if !inside {
         return None;
     }
+    // A zero that is known and lies in X is the one of X.
+    if known
+        .iter()
+        .any(|zero| zero.numbers == numbers && is_inside(&zero.at, &first))
+    {
+        return Some(None);
+    }
+    let width = |x: &[Interval; 2]| &x[0][1] - &x[0][0] + &x[1][1] - &x[1][0];
+    let narrow = Rational::new(Integer::ONE, Integer::ONE << (BITS * 3 / 4));
     let mut at = next;
     loop {
         let next = step(pieces, numbers, &at)?;
@@ -191,7 +196,7 @@ fn krawczyk(pieces: &[Bezier], numbers: [usize; 2], a: &Part, b: &Part) -> Optio
                 next[i][1].clone().min(at[i][1].clone()),
             ]
         });
-        if next == at {
+        if next == at || width(&at) < narrow {
             break;
         }
         at = next;

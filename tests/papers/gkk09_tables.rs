@@ -168,7 +168,7 @@ impl Table {
             ));
         }
         match number_of_table {
-            0 => rows.push(row("row names", "CPI time", "CPU time (misprint)", Verdict::Different)),
+            0 => rows.push(row("row names", "CPI time", "CPU time (misprint)", Verdict::misprint())),
             1 => rows.push(unknown(
                 "Figure 3",
                 "K_κ is a triangle",
@@ -178,7 +178,7 @@ impl Table {
                 "caption",
                 "the box \"is centered at d = (0, 0)\"",
                 "three coordinates in space (misprint)",
-                Verdict::Different,
+                Verdict::misprint(),
             )),
         }
         rows.push(unknown("CPU time", self.times, "times of a laptop of 2009"));

@@ -65,10 +65,18 @@ fn page() -> String {
         let _ = write!(counts, " {name} |");
     }
     let _ = write!(counts, "\n|{}\n", " --- |".repeat(names.len() + 1));
-    for (paper, write) in papers {
-        let mut page = Page::default();
-        write(&mut page);
-        let (text, found) = page.finish();
+    let written = std::thread::scope(|scope| {
+        let threads = papers.map(|(paper, write)| {
+            let thread = scope.spawn(move || {
+                let mut page = Page::default();
+                write(&mut page);
+                page.finish()
+            });
+            (paper, thread)
+        });
+        threads.map(|(paper, thread)| (paper, thread.join().expect("a paper")))
+    });
+    for (paper, (text, found)) in written {
         body.push_str(&text);
         let _ = write!(counts, "| {paper} |");
         for name in &names {

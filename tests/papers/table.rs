@@ -178,6 +178,11 @@ impl Verdict {
         if does { Verdict::Holds } else { Verdict::Fails }
     }
 
+    /// `Different`, by a word or symbol that is not a number.
+    pub fn misprint() -> Verdict {
+        Verdict::Different
+    }
+
     /// `Holds`, by a proof that the row names.
     pub fn proved() -> Verdict {
         Verdict::Holds
