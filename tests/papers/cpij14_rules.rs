@@ -156,6 +156,20 @@ pub fn definitions() -> Vec<Row> {
     vec![
         bernstein_row("Definition 1", "c(t) = Σ C(d, i) (i − t)^{d−i} q_i"),
         row(
+            "§4: δ_j p_i",
+            "p_i + Σ_{k=1}^{J} γ_{i,k}",
+            "the sum up to j (misprint)",
+            Verdict::misprint(),
+        ),
+        row(
+            "Example 1",
+            "X₁ = {p₀, p₁ + γ_{1,1}, p₂, p₃ + γ_{3,1}}, X₂ = {p₀, p₁ + γ_{1,1} + γ_{1,2}, p₂, p₃ + γ_{3,1} + γ_{3,2}}",
+            "the same, by the definition of δ_j p_i",
+            Verdict::equal(on_basis(|p, g| {
+                p(1) + &g[0] + &g[1] == alone(0, &|k| p(k + 1), &[&g[0] + &g[1]])
+            })),
+        ),
+        row(
             "after α subdivisions",
             "(1/2)^{2a} ‖Δ₂X‖_∞ N∞(d)",
             "(1/2)^{2α} (misprint)",

@@ -89,7 +89,8 @@ fn distance(example: &Example) -> Vec<Row> {
         .map(|v| infinity(v))
         .max()
         .expect("differences");
-    let floors = fraction((3 / 2) * (3 / 2), 2 * 3);
+    let n = 3;
+    let floors = fraction((n / 2) * (n / 2), 2 * n);
     let attained = deviation(&bezier_curve(&cubic), 0);
     let proved = nairn_peters_lutterkort(3);
     let spike = whole_points(&[[0, 0, 0], [1, 1, 1], [0, 0, 0]]);

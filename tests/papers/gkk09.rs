@@ -183,7 +183,7 @@ fn propositions() -> Vec<Row> {
     let limits = [[1, 0, 0], [2, 1, 0], [-1, 0, 0]].map(torsion);
     // h and F' × F'' vanish at t = 0 for four positions that span space, and so for all: h is affine, and F', F'' are multiples of d there.
     let everywhere = [[1, 1, 1], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
-        .map(|d| flat_at_start(d))
+        .map(flat_at_start)
         .iter()
         .all(|flat| *flat);
     let positive = limits.iter().filter(|torsion| torsion.numer().is_positive()).count();

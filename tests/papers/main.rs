@@ -52,7 +52,8 @@ Decimals that end in … are cut off; \"a to b\" is an enclosure. A fraction sta
 ";
 
 fn page() -> String {
-    let papers: [(&str, fn(&mut Page)); 4] = [
+    type Writer = fn(&mut Page);
+    let papers: [(&str, Writer); 4] = [
         ("MP06", mp06::write),
         ("CPJ12", cpj12::write),
         ("CPIJ14", cpij14::write),

@@ -316,6 +316,11 @@ fn culling(curve: &Curve) -> Vec<Row> {
             ),
             Verdict::holds(*first.ends().0 >= number("0.001")),
         ),
+        unknown(
+            "\"Values greater than these would result in too many double normal segments being found\"",
+            "too many",
+            "no number is printed",
+        ),
         row(
             "\"Comparing test number 3 to test 2 shows the importance of carefully choosing … ε₁ and ε₂\"",
             "test 3 is wrong",
@@ -371,6 +376,7 @@ fn the_rest(curve: &Curve, all: &All) -> Vec<Row> {
             "0.44268",
             crate::certified::separation(curve, knotproof::claim::msd::Convention::Smooth).sigma(),
         ),
+        unknown("the same with ε₁ = ε₂ = 0.1", "starts, iterations", "n is not printed"),
         row(
             "\"this minimum [occurs] for two different pairs of points in close proximity\"",
             "two pairs",
