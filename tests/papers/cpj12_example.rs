@@ -11,6 +11,7 @@ use knotproof::number::Rational;
 
 use crate::certified::{Separation, separation};
 use crate::exact::{Point, bezier_curve, file, fraction, minus, number, plus, squared, whole};
+use crate::knot::{is_trefoil, isotopic_polygon};
 use crate::table::{Exact, Page, Row, Verdict, noted, rounded_from, row, unknown, value};
 
 /// The curve that the example of §5 is taken to be, and what is known of it.
@@ -385,7 +386,17 @@ fn the_example(example: &Example) -> Vec<Row> {
     let no_edge = no_edge_gives_the_printed_error(&example.curve);
     let true_edge = polygon.longest_edge_squared();
     let with_true_edge = number("0.00005") + whole(2) * true_edge;
+    let isotopic = isotopic_polygon(&example.curve);
     vec![
+        row(
+            "\"consisting of five sub-curves, that forms a trefoil knot\"",
+            "a trefoil",
+            &format!(
+                "MP06's curve has {parts} pieces. The polygon of {} points on it that `certify embedding` proves to be isotopic has a projection with 3 crossings, passed in the order 1, 2, 3, 1, 2, 3, over and under in turn: a trefoil",
+                isotopic.len()
+            ),
+            Verdict::holds(is_trefoil(&isotopic) == Some(true)),
+        ),
         noted(
             "δ = 0.25 \"gives\"",
             "ε = ",

@@ -3,6 +3,9 @@
 //! `cargo test --test papers` compares the page with the file in the repository; `cargo test --test papers write -- --ignored` writes it.
 #![cfg(feature = "prove")]
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod certified;
 mod cpij14;
 mod cpij14_rules;
@@ -12,6 +15,7 @@ mod double_normals;
 mod exact;
 mod gkk09;
 mod gkk09_tables;
+mod knot;
 mod mp06;
 mod mp06_search;
 mod sampling;
