@@ -290,9 +290,9 @@ fn propositions() -> Vec<Row> {
         ),
         row(
             "after (12)",
-            "L is an \"intersection of finite\" sets",
-            "not where c vanishes for all t: a cubic in space with P₀, P₁, P₃ on a line and P₂ free is planar for every position, 𝓗 ≡ 0",
-            Verdict::holds(!never),
+            "L is an \"intersection of finite, possibly degenerate\" sets",
+            "each is empty or everything, and so is L. They need not belong to finitely many parameters: a cubic in space with P₀, P₁, P₃ on a line and P₂ free is planar for every position, 𝓗 ≡ 0 for all t, and L is empty",
+            Verdict::holds(never),
         ),
         row(
             "(13), Theorem 1",
@@ -485,9 +485,9 @@ fn algorithm() -> Vec<Row> {
         ),
         row(
             "(20), Output",
-            "\"an approximant of K_κ ∩ 𝓑\" with rel.error ≤ tol",
+            "\"an approximant of K_κ ∩ 𝓑\" with rel.error ≤ tol, read as its error",
             &format!(
-                "rel.error compares two iterates and bounds nothing: the quartic (4, 9), (−4, −2), (−7, 6), (−8, 0), (−8, −1) with P₁ free, box of edge 20 and tol = {tolerance} stops at level {stop} with {}; level 8 shows that the true relative error is at least {}",
+                "rel.error compares two iterates and does not bound the error: the quartic (4, 9), (−4, −2), (−7, 6), (−8, 0), (−8, −1) with P₁ free, box of edge 20 and tol = {tolerance} stops at level {stop} with {}; level 8 shows that the true relative error is at least {}",
                 last_difference.show(4),
                 decimal_down(&left, 4)
             ),
