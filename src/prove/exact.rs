@@ -72,6 +72,7 @@ pub fn leaf<'c>(
         cone(context, a, b)
             .filter(&holds)
             .or_else(|| bend(context, a, b, signs[1]).filter(&holds))
+            .or_else(|| turn(context, a, b).filter(&holds))
     } else {
         let b = b?;
         let (hull_a, hull_b) = (Hull::<Integer>::new(context, a)?, Hull::new(context, b)?);
@@ -205,6 +206,13 @@ fn bend(context: &Context, a: &Node, b: Option<&Node>, signs: Signs) -> Option<L
         return None;
     }
     factors(path.iter().copied(), &of_a, &of_b, signs).map(Leaf::Bend)
+}
+
+/// `turn` with vectors along the tangents of each node.
+fn turn(context: &Context, a: &Node, b: Option<&Node>) -> Option<Leaf> {
+    let along = |node: &Node| Some(super::vector::inner_direction(&directions(context, node, None)?));
+    let vectors = [along(a)?, along(b.unwrap_or(a))?].map(|n| quantised(&n, 12).map(Into::into));
+    Some(Leaf::Turn(Box::new(vectors)))
 }
 
 /// The tangents of one node or of two, each as a float vector of some length.
