@@ -136,6 +136,11 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
 pub fn perform(order: Order) -> Result<Exit, Failure> {
     standard_input_once(order.inputs)?;
     let start = Instant::now();
+    let (subjects, left_out) = subjects(&order)?;
+    if subjects.is_empty() {
+        let folders: Vec<String> = order.inputs.iter().map(ToString::to_string).collect();
+        return Err(Failure::at(folders.join(", "), "found no file with curves"));
+    }
     let folder = Folder::new(order.output)?;
     let earlier = match order.many.resume {
         true => folder.earlier(),
@@ -151,7 +156,6 @@ pub fn perform(order: Order) -> Result<Exit, Failure> {
     }
     let mut streams = Streams::new(&order, &folder)?;
     interrupt::listen();
-    let (subjects, left_out) = subjects(&order)?;
     let workers = pool::workers(order.many.jobs);
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let batch = Batch {
@@ -171,7 +175,10 @@ pub fn perform(order: Order) -> Result<Exit, Failure> {
             return;
         };
         progress.done(record.status.name());
-        let told = progress.aside(|| streams.tell(&record));
+        let told = match streams.standard_output {
+            true => progress.aside(|| streams.tell(&record)),
+            false => streams.tell(&record),
+        };
         failure = failure.take().or(told.err());
         records[i] = Some(record);
     });

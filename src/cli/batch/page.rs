@@ -68,13 +68,6 @@ fn files(subjects: &[Subject]) -> String {
 }
 
 fn cell_of(record: &Record) -> Cell {
-    let mut words = record.first_words();
-    // An undecided claim may have proved a part of what was asked.
-    if record.status == Status::Undecided
-        && let Some(proved) = &record.words
-    {
-        words = format!("{words}; proved: {proved}");
-    }
     let places = [
         ("certificate", &record.certificate),
         ("picture", &record.picture),
@@ -85,7 +78,7 @@ fn cell_of(record: &Record) -> Cell {
         .filter_map(|(name, place)| Some((*name, (*place).clone()?)));
     Cell {
         outcome: record.status.name().into(),
-        words,
+        words: record.first_words(),
         links: links.collect(),
     }
 }

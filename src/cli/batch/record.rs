@@ -140,12 +140,18 @@ impl Record {
         }
     }
 
-    /// What a reader wants to know first: the plain words, else the reason, else the statement.
+    /// What a reader wants to know first: the plain words, else the reason, else the statement; of what is undecided, also the part that is proved.
     pub fn first_words(&self) -> String {
-        match (&self.remarks[..], &self.reason, &self.words) {
-            ([], Some(reason), _) => reason.clone(),
-            ([], None, words) => words.clone().unwrap_or_default(),
-            (remarks, ..) => remarks.join("; "),
+        let mut parts = self.remarks.clone();
+        match self.status {
+            Status::Certified => parts.extend(self.words.clone()),
+            _ if parts.is_empty() => parts.extend(self.reason.clone().or_else(|| self.words.clone())),
+            _ => {}
+        }
+        let words = parts.join("; ");
+        match &self.words {
+            Some(proved) if self.status == Status::Undecided => format!("{words}; proved: {proved}"),
+            _ => words,
         }
     }
 }

@@ -101,7 +101,7 @@ impl Summary<'_> {
                 let count = of.iter().filter(|record| record.status == status).count();
                 write!(text, "  {count:>9}")?;
             }
-            let seconds: f64 = of.iter().map(|record| record.seconds).sum();
+            let seconds = of.iter().fold(0.0, |sum, record| sum + record.seconds);
             writeln!(text, "  {seconds:>9.1}")?;
         }
         let resumed = self.records.iter().filter(|record| record.resumed).count();

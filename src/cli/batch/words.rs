@@ -31,6 +31,7 @@ pub fn of_proof(curve: &Curve, document: &Document) -> Vec<String> {
                 false => vec![format!("{}; corners do not count", told(&chain, &corners))],
             }
         }
+        Claim::Embedding(_) => vec!["the path neither touches nor crosses itself".into()],
         _ => Vec::new(),
     }
 }
@@ -75,14 +76,20 @@ pub fn of_reason(curve: &Curve, reason: &str) -> Option<String> {
     }
     if has("could not be told from") && places.len() == 2 {
         let apart = reason.split_once("), ").and_then(|(_, rest)| rest.split_once(" apart"));
-        let apart = apart.map_or(String::new(), |(apart, _)| {
-            format!(", {} apart in binary64 arithmetic", apart.trim())
+        let apart = apart
+            .and_then(|(apart, _)| apart.trim().parse().ok())
+            .map(|apart| short(apart, 4));
+        let apart = apart.unwrap_or_else(|| "an unknown distance".into());
+        return Some(match has("double normal") {
+            true => format!(
+                "two parts of the path face each other, about {apart} apart, at {}: whether they come no nearer could be neither proved nor excluded",
+                at()
+            ),
+            false => format!(
+                "two parts of the path are about {apart} apart, or touch, at {}: that could not be decided",
+                at()
+            ),
         });
-        let what = match has("double normal") {
-            true => "it could not be proved how near they come to each other, or that they touch",
-            false => "it could not be decided whether they touch",
-        };
-        return Some(format!("two parts of the path, at {}{apart}: {what}", at()));
     }
     if has("no double normal could be proved") || has("could not be isolated") {
         return Some(
@@ -294,7 +301,7 @@ mod tests {
             could not be told from a double point";
         assert_eq!(
             told(touching).unwrap(),
-            "two parts of the path, at about (2.5, 0) and about (2.5, 8), 8.000e0 apart in binary64 arithmetic: it could not be decided whether they touch"
+            "two parts of the path are about 8 apart, or touch, at about (2.5, 0) and about (2.5, 8): that could not be decided"
         );
         let back = "the derivative vanishes or the curve turns back at about parameter 10.000000000000 (piece 1 at 0.000000000000)";
         assert!(
