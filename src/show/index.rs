@@ -4,6 +4,9 @@ use std::fmt::Write;
 
 use super::svg::escape;
 
+/// Stands in every such page, and in no other.
+pub const GENERATOR: &str = "<meta name=\"generator\" content=\"knotproof\">";
+
 const STYLE: &str = include_str!("html/index.css");
 const SCRIPT: &str = include_str!("html/index.js");
 
@@ -60,7 +63,7 @@ fn write(page: &Index, text: &mut String) -> std::fmt::Result {
     let title = escape(page.title);
     write!(
         text,
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{GENERATOR}\n\
          <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header><h1>{title}</h1><p>{}</p></header>\n<main>\n",
         escape(page.summary)
     )?;

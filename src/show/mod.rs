@@ -19,7 +19,7 @@ mod values;
 mod view;
 
 pub use html::{Report, html};
-pub use index::{Cell, Index, Row, index};
+pub use index::{Cell, GENERATOR, Index, Row, index};
 pub use scene::{Item, Kind, LeafPair, Scene, Shape};
 pub use segment::Segment;
 pub use svg::{Picture, svg};

@@ -480,6 +480,29 @@ fn wrong_usage_of_batches() {
     fs::write(&file, "mine").unwrap();
     run(["batch", SQUARE, "-o", text(&file)]).expect_error(&["cannot be made the folder of a batch"]);
     assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
+    // Files that no batch has written are left alone.
+    for (name, arguments) in [("results.jsonl", &[][..]), ("index.html", &["--show"])] {
+        let mine = folder.path().join(format!("mine-{name}"));
+        fs::create_dir(&mine).unwrap();
+        fs::write(mine.join(name), "<p>my page</p>").unwrap();
+        let batch = ["batch", SQUARE, "-o", text(&mine)];
+        run([&batch, arguments].concat()).expect_error(&[name, "no file of a batch"]);
+        assert_eq!(fs::read_to_string(mine.join(name)).unwrap(), "<p>my page</p>");
+    }
+    let ran = run([
+        "certify",
+        "domain",
+        "certs/curves/domain-cubic.json",
+        "--point",
+        "1",
+        "--box",
+        "20",
+        "--level",
+        "2",
+        "--all",
+    ]);
+    assert_eq!(ran.code, 2, "{ran:?}");
+    contains(&ran, &["'--level <LEVEL>' cannot be used with '--output <CERT>'"]);
     run(["batch", SQUARE, "--jsonl", "/nowhere/at/all"]).expect_error(&["/nowhere/at/all", "cannot be written"]);
     let ran = run(["batch", text(&out)]);
     assert_eq!(ran.code, 2, "{ran:?}");

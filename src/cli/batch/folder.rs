@@ -2,9 +2,10 @@
 
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions};
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
+use knotproof::show::GENERATOR;
 use tempfile::{Builder, TempDir};
 
 use super::RESULTS;
@@ -73,6 +74,36 @@ impl Folder {
             .map_err(|error| target.failure(&error))?;
         target.finish(file)?;
         Ok(())
+    }
+
+    /// Refuses to replace files that no batch has written.
+    pub fn look_for_foreign_files(&self, page: bool) -> Result<(), Failure> {
+        let Some(kept) = &self.kept else {
+            return Ok(());
+        };
+        let ours = |name: &str, is_ours: &dyn Fn(&str) -> bool| {
+            let path = kept.join(name);
+            let text = match fs::read(&path) {
+                Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
+                Err(error) => return Err(Failure::io(path.display(), "cannot be replaced", &error)),
+                Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
+            };
+            match text.trim().is_empty() || is_ours(&text) {
+                true => Ok(()),
+                false => Err(Failure::at(
+                    path.display(),
+                    "would be replaced, and is no file of a batch; name another folder",
+                )),
+            }
+        };
+        ours(RESULTS, &|text| {
+            let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+            serde_json::from_str::<Record>(first).is_ok()
+        })?;
+        match page {
+            true => ours(super::page::NAME, &|text| text.contains(GENERATOR)),
+            false => Ok(()),
+        }
     }
 
     /// The results of an earlier run, by the names of the certificates; lines that are none of ours are left out.

@@ -1,4 +1,4 @@
-//! An end from the keyboard.
+//! An end from the keyboard, or from whoever asks the program to end.
 
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -142,6 +142,7 @@ pub fn perform(order: Order) -> Result<Exit, Failure> {
         return Err(Failure::at(folders.join(", "), "found no file with curves"));
     }
     let folder = Folder::new(order.output)?;
+    folder.look_for_foreign_files(order.many.show.is_some())?;
     let earlier = match order.many.resume {
         true => folder.earlier(),
         false => HashMap::new(),

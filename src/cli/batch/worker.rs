@@ -227,10 +227,11 @@ fn accept(bytes: Vec<u8>, subject: &Subject) -> Result<Accepted, String> {
 
 /// What a refusal says, without the names that the batch gave to the process.
 fn complaint(err: &str, subject: &Subject) -> String {
-    let text = err.trim().trim_start_matches("error: ");
-    let text = text.strip_prefix("standard input: ").unwrap_or(text);
-    let text = text.strip_prefix(&format!("{}: ", subject.input)).unwrap_or(text);
-    text.strip_prefix(&format!("./{}: ", subject.input))
-        .unwrap_or(text)
-        .into()
+    // The parser of arguments goes on with a usage after an empty line.
+    let text = err.trim().split("\n\n").next().unwrap_or_default();
+    let text = text.strip_prefix("error: ").unwrap_or(text);
+    let file = &subject.input;
+    let names = ["standard input: ".into(), format!("{file}: "), format!("./{file}: ")];
+    let text = names.iter().find_map(|name| text.strip_prefix(name)).unwrap_or(text);
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
