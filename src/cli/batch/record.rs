@@ -150,7 +150,9 @@ impl Record {
         }
         let words = parts.join("; ");
         match &self.words {
-            Some(proved) if self.status == Status::Undecided => format!("{words}; proved: {proved}"),
+            Some(proved) if self.status == Status::Undecided && !proved.starts_with("nothing") => {
+                format!("{words}; proved: {proved}")
+            }
             _ => words,
         }
     }

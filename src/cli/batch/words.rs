@@ -9,6 +9,8 @@ use knotproof::number::{Integer, Meaning, Rational, RationalExt, parse_number};
 
 /// Digits of coordinates.
 const DIGITS: usize = 7;
+/// From here on a corner is told as a turn back, in degrees.
+const TURN_BACK: f64 = 179.999;
 /// So many corners are told with their places.
 const CORNERS_TOLD: usize = 3;
 
@@ -99,6 +101,11 @@ pub fn of_reason(curve: &Curve, reason: &str) -> Option<String> {
         );
     }
     if has("budget of") {
+        // A search does not come to an end beside a point around which nothing can be proved.
+        if let Some(joint) = corners(&chain).into_iter().find(|joint| turns_back(&chain, *joint)) {
+            let parameter = Rational::from_integer(Integer::from(joint));
+            return Some(turn(&chain, &parameter, &place(&chain, &parameter)));
+        }
         return Some(
             "the proof became too long: parts of the path run beside each other at the same distance (as in circles and parallel lines) or nearly \
              touch; --budget allows a longer proof, --rel-width asks for less"
@@ -136,7 +143,7 @@ fn turn(chain: &Chain, parameter: &Rational, at: &str) -> String {
     });
     let advice = "nothing can be proved around such a point; reshape the path there";
     match joint.and_then(|joint| turning(chain, joint)) {
-        Some(degrees) if degrees > 179.999 => format!("the path turns back on itself at {at}; {advice}"),
+        Some(degrees) if degrees > TURN_BACK => format!("the path turns back on itself at {at}; {advice}"),
         Some(degrees) if degrees > 0.001 => format!(
             "at {at} the path turns by {}°, and parts of it leave that point side by side; {advice}",
             short(degrees, 4)
@@ -173,6 +180,11 @@ fn corners(chain: &Chain) -> Vec<usize> {
     (0..chain.count())
         .filter(|i| chain.joint(*i) == Some(Joint::Corner))
         .collect()
+}
+
+/// Is a joint a turn by 180°?
+fn turns_back(chain: &Chain, joint: usize) -> bool {
+    turning(chain, joint).is_some_and(|degrees| degrees > TURN_BACK)
 }
 
 /// By how many degrees the direction changes at a joint.
