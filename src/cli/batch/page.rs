@@ -47,7 +47,8 @@ pub fn page(
         .filter(|status| count(**status) > 0)
         .map(|status| format!("{} {}", count(*status), status.name()))
         .collect();
-    let summary = format!("{} curves: {}", subjects.len(), counts.join(", "));
+    let answers = records.iter().flatten().count();
+    let summary = format!("{} curves, {answers} answers: {}", subjects.len(), counts.join(", "));
     index(&Index {
         title: &format!("{} of {}", claims.join(", "), files(subjects)),
         summary: &summary,
