@@ -1,5 +1,7 @@
 //! One number of one method.
 
+use std::borrow::Cow;
+
 use crate::number::{Rational, decimal_down, decimal_up, interval_digits, sqrt_decimal_down, sqrt_decimal_up};
 
 /// Digits of a number that stands alone.
@@ -100,8 +102,8 @@ fn digits(lower: &Rational, upper: &Rational) -> usize {
 pub struct Row {
     /// Whose number it is: "CPJ12", "certified", ….
     pub method: &'static str,
-    /// A name for programs, the same in every comparison: "cpj12.m1", ….
-    pub key: &'static str,
+    /// A name for programs, the same in every comparison: "cpj12.m1", "gkk09.3.measure", ….
+    pub key: Cow<'static, str>,
     /// What it is a number of, for people.
     pub quantity: String,
     /// The number.
@@ -116,14 +118,14 @@ impl Row {
     /// A row without a remark.
     pub fn new(
         method: &'static str,
-        key: &'static str,
+        key: impl Into<Cow<'static, str>>,
         quantity: impl Into<String>,
         value: Value,
         standing: Standing,
     ) -> Row {
         Row {
             method,
-            key,
+            key: key.into(),
             quantity: quantity.into(),
             value,
             standing,
