@@ -7,10 +7,12 @@
 mod certified;
 mod domain;
 mod floating;
+mod peers;
 mod polygonal;
 mod row;
 
 pub use domain::{DomainComparison, DomainOptions, LevelComparison, MOST_INEQUALITIES, MOST_LEVELS};
+pub use peers::PeerOptions;
 pub use row::{Row, Standing, Value};
 
 use crate::approximation::ApproximationError;
@@ -29,6 +31,8 @@ pub struct Options {
     pub relative_width: Rational,
     /// The control point whose convex domain is compared too.
     pub domain: Option<DomainOptions>,
+    /// Whether and how interval methods of other projects are run.
+    pub peers: Option<PeerOptions>,
 }
 
 /// What was computed.
@@ -48,6 +52,7 @@ impl Default for Options {
             epsilon_d: Rational::new(Integer::ONE, Integer::from(100)),
             relative_width: Rational::new(Integer::ONE, Integer::from(10).pow(9)),
             domain: None,
+            peers: None,
         }
     }
 }
@@ -96,6 +101,9 @@ pub fn compare(curve: &Curve, options: &Options, progress: &dyn Fn(f64)) -> Resu
     let deviation = certified::deviation_rows(curve, polygonal.subdivisions)?;
     let mut rows = polygonal.rows;
     rows.extend(floating::rows(curve));
+    if let Some(peers) = &options.peers {
+        rows.extend(peers::rows(curve, peers));
+    }
     rows.extend(deviation);
     rows.extend(certified.rows);
     let domain = match options.domain.as_ref().zip(problem) {

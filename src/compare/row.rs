@@ -20,6 +20,8 @@ pub enum Standing {
     Proved,
     /// A statement about the curve that the checker accepted.
     Certified,
+    /// Enclosed by another program with outward rounding; nothing is left to check.
+    Interval,
     /// Computed in binary64, with rounding; not proved.
     Binary64,
     /// Not told.
@@ -34,6 +36,7 @@ impl Standing {
             Standing::Printed => "as printed",
             Standing::Proved => "proved",
             Standing::Certified => "certified",
+            Standing::Interval => "interval",
             Standing::Binary64 => "binary64",
             Standing::Undecided => "undecided",
         }

@@ -1,6 +1,7 @@
 //! `knotproof compare`: the numbers of papers beside certified ones, as a table.
 
 mod domain;
+mod peers;
 
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -35,6 +36,8 @@ pub struct Arguments {
     epsilon_d: Rational,
     #[command(flatten)]
     domain: domain::DomainArguments,
+    #[command(flatten)]
+    peers: peers::PeerArguments,
     /// The form of the table.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -138,6 +141,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         delta: arguments.delta.clone(),
         epsilon_d: arguments.epsilon_d.clone(),
         domain: arguments.domain.options()?,
+        peers: arguments.peers.options(),
         ..Options::default()
     };
     let start = Instant::now();
