@@ -133,7 +133,7 @@ fn peer_rows(peer: &Peer, curve: &Curve, options: &PeerOptions) -> Vec<Row> {
                 peer.seconds,
                 "its seconds, one thread",
                 seconds,
-                Standing::Binary64,
+                Standing::Measured,
             );
             vec![sigma, time]
         }

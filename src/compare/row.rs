@@ -24,6 +24,8 @@ pub enum Standing {
     Interval,
     /// Computed in binary64, with rounding; not proved.
     Binary64,
+    /// A time.
+    Measured,
     /// Not told.
     Undecided,
 }
@@ -38,6 +40,7 @@ impl Standing {
             Standing::Certified => "certified",
             Standing::Interval => "interval",
             Standing::Binary64 => "binary64",
+            Standing::Measured => "measured",
             Standing::Undecided => "undecided",
         }
     }
@@ -66,25 +69,27 @@ impl Value {
         Value::RootBetween(squared.clone(), Some(squared))
     }
 
-    /// Decimals (lower, upper), rounded outward; "inf" for infinite ones.
+    /// Decimals (lower, upper), rounded outward; "inf" for infinite ones. Bounds have as many digits as it takes to tell them apart.
     pub fn decimals(&self) -> (Option<String>, Option<String>) {
+        self.decimals_with(match self {
+            Value::Between(lower, Some(upper)) | Value::RootBetween(lower, Some(upper)) => digits(lower, upper),
+            _ => DIGITS,
+        })
+    }
+
+    /// The same with so many digits.
+    pub fn decimals_with(&self, digits: usize) -> (Option<String>, Option<String>) {
         match self {
             Value::Count(count) => (Some(count.to_string()), Some(count.to_string())),
-            Value::Number(x) => (Some(decimal_down(x, DIGITS)), Some(decimal_up(x, DIGITS))),
-            Value::Between(lower, upper) => {
-                let digits = upper.as_ref().map_or(DIGITS, |upper| digits(lower, upper));
-                (
-                    Some(decimal_down(lower, digits)),
-                    upper.as_ref().map(|upper| decimal_up(upper, digits)),
-                )
-            }
-            Value::RootBetween(lower, upper) => {
-                let digits = upper.as_ref().map_or(DIGITS, |upper| digits(lower, upper));
-                (
-                    Some(sqrt_decimal_down(lower, digits)),
-                    upper.as_ref().map(|upper| sqrt_decimal_up(upper, digits)),
-                )
-            }
+            Value::Number(x) => (Some(decimal_down(x, digits)), Some(decimal_up(x, digits))),
+            Value::Between(lower, upper) => (
+                Some(decimal_down(lower, digits)),
+                upper.as_ref().map(|upper| decimal_up(upper, digits)),
+            ),
+            Value::RootBetween(lower, upper) => (
+                Some(sqrt_decimal_down(lower, digits)),
+                upper.as_ref().map(|upper| sqrt_decimal_up(upper, digits)),
+            ),
             Value::Infinite => (Some("inf".into()), Some("inf".into())),
             Value::None => (None, None),
         }

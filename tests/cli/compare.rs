@@ -178,6 +178,78 @@ fn levels_in_space_and_of_empty_domains() {
 }
 
 #[test]
+fn interval_methods_where_they_are_installed() {
+    // A row whatever is installed; a number only with an enclosure of the certified one.
+    let json = run(["compare", MP06, "--json", "--peers", "--peer-limit", "120"])
+        .expect(0)
+        .json();
+    let sigma = row(&json, "certified.sigma");
+    for key in ["codac.sigma", "flint.sigma"] {
+        let found = row(&json, key);
+        assert_eq!(found["standing"], "interval");
+        if found["lower"].is_string() {
+            assert!(
+                number(found, "lower") <= number(sigma, "upper") && number(sigma, "lower") <= number(found, "upper")
+            );
+            assert!(number(row(&json, &key.replace("sigma", "seconds")), "lower") >= 0.0);
+        } else {
+            assert!(!found["remark"].as_str().expect("why").is_empty());
+        }
+    }
+    let json = run(["compare", MP06, "--json", "--peers", "--python", "no-such-python"])
+        .expect(0)
+        .json();
+    let remark = row(&json, "codac.sigma")["remark"].as_str().expect("why").to_string();
+    assert!(remark.contains("no-such-python cannot be started"), "{remark}");
+}
+
+#[test]
+fn a_picture_of_the_bounds() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let draw = |name: &str, arguments: &[&str]| {
+        let path = folder.path().join(name);
+        let picture = path.to_str().expect("a path");
+        run([&["compare"][..], arguments, &["--quiet", "--picture", picture]].concat()).expect(0);
+        std::fs::read_to_string(&path).expect("a picture")
+    };
+    let (first, second) = (draw("a.svg", &[MP06]), draw("b.svg", &[MP06]));
+    assert_eq!(first, second, "the same curve gives the same picture");
+    for part in [
+        "Minimum separation distance σ",
+        "CPJ12: λ_c ± E",
+        "certified: cover tree",
+        "its width",
+        "perturbation radius, Euclidean",
+    ] {
+        assert!(first.contains(part), "{part:?}");
+    }
+    assert!(!first.contains("Convex domain"));
+    let domain = [
+        "certs/curves/domain-cubic.json",
+        "--point",
+        "1",
+        "--levels",
+        "3",
+        "--tol",
+        "1e-9",
+    ];
+    let levels = draw("c.svg", &domain);
+    assert!(levels.contains("Convex domain: relative error of the area") && levels.contains(">tolerance<"));
+    // Four levels of two errors and three of a difference, and three dots in the key.
+    assert_eq!(
+        levels
+            .split("Convex domain: relative")
+            .nth(1)
+            .map(|part| part.matches("<circle").count()),
+        Some(14)
+    );
+    // What is drawn is not replaced, nor written where there is no place.
+    run(["compare", MP06, "--picture", MP06]).expect_error(&["would replace the curve"]);
+    let nowhere = folder.path().join("no/a.svg");
+    run(["compare", MP06, "--picture", nowhere.to_str().expect("a path")]).expect_error(&["no directory"]);
+}
+
+#[test]
 fn wrong_usage() {
     for wrong in [
         ["--delta", "0"],
@@ -192,6 +264,8 @@ fn wrong_usage() {
         (&["--box", "2"][..], "--point"),
         (&["--levels", "3"], "--point"),
         (&["--point", "1", "--levels", "17"], "17"),
+        (&["--python", "python3"], "--peers"),
+        (&["--peers", "--peer-limit", "0"], "above 0"),
         (&["--point", "99"], "there is no control point 99"),
         (&["--point", "1", "--box", "0"], "box"),
         (&["--point", "1", "--box-from", "0,0,0"], "--box-to"),

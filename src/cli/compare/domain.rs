@@ -50,6 +50,11 @@ pub struct DomainArguments {
 }
 
 impl DomainArguments {
+    /// Where the paper's algorithm stops.
+    pub fn tolerance(&self) -> Option<&Rational> {
+        self.tol.as_ref()
+    }
+
     /// What is asked of the library; nothing without a control point.
     pub fn options(&self) -> Result<Option<DomainOptions>, Failure> {
         let Some(point) = self.point else {

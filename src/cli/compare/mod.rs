@@ -2,8 +2,11 @@
 
 mod domain;
 mod peers;
+mod picture;
 
 use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
@@ -12,6 +15,7 @@ use knotproof::curve::CurveFile;
 use knotproof::number::{Meaning, Rational, RationalExt, parse_number};
 use serde::Serialize;
 
+use crate::cli::atomic_file::AtomicFile;
 use crate::cli::certify::progress::Progress;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
@@ -41,6 +45,9 @@ pub struct Arguments {
     /// The form of the table.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// Draw the bounds on one axis, and the errors of the levels, as SVG to this file.
+    #[arg(long, value_name = "FILE.svg")]
+    picture: Option<PathBuf>,
     /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
     #[arg(long)]
     snap_joints: bool,
@@ -131,6 +138,15 @@ impl<'r> RowLine<'r> {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    let picture = arguments.picture.as_deref().map(AtomicFile::new).transpose()?;
+    if let (Some(picture), Input::File(curve)) = (&picture, &arguments.curve)
+        && picture.replaces(curve)
+    {
+        return Err(Failure::at(
+            picture.path().display(),
+            "the picture would replace the curve",
+        ));
+    }
     #[cfg(feature = "import")]
     let (file, _) = arguments
         .curve
@@ -151,6 +167,13 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     drop(progress);
     let Comparison { rows, domain } = &comparison;
     let seconds = start.elapsed().as_secs_f64();
+    if let Some(target) = &picture {
+        let chart = picture::chart(title(arguments, &file), &comparison, arguments.domain.tolerance());
+        let mut file = target.begin()?;
+        file.write_all(chart.svg().as_bytes())
+            .map_err(|error| target.failure(&error))?;
+        target.finish(file)?;
+    }
     let json = arguments.printing.json || arguments.format == Format::Json;
     if json {
         say_json(&ForPrograms {
@@ -171,6 +194,14 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     match rows.iter().any(|row| row.standing == Standing::Undecided) {
         true => Ok(Exit::Undecided),
         false => Ok(Exit::Success),
+    }
+}
+
+/// The heading of the picture.
+fn title(arguments: &Arguments, file: &CurveFile) -> String {
+    match &file.name {
+        Some(name) => format!("Bounds for {name}"),
+        None => format!("Bounds for {}", arguments.curve),
     }
 }
 
