@@ -402,3 +402,6 @@ fn segment(a: &[Rational], b: &[Rational], point: &[Rational]) -> Rational {
     }
     dot(&arm, &arm) - &along * &along / length
 }
+
+#[cfg(test)]
+mod tests;
