@@ -82,7 +82,7 @@ fn upper(chain: &Chain, rule: &Upper, convention: Convention, upper_squared: &Ra
             };
             (
                 "miranda",
-                widening!(128, W => miranda::check::<W>(chain, &witness, upper_squared)),
+                widening!(128, W => miranda::check::<W>(chain, &witness, convention, upper_squared)),
             )
         }
         Upper::Root { s, t } => ("root", root::check(chain, s, t, upper_squared)),

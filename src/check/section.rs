@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use super::chain::{Chain, OwnedNumbers, Scale, convert, convert_one};
-use super::hull::Hull;
-use super::word::Word;
+use super::hull::{Hull, bring_together};
+use super::word::{Word, combine};
 use crate::claim::msd::{Interval, Side};
 use crate::number::{Integer, Rational};
 
@@ -220,6 +220,26 @@ impl<W: Word> HullAndField<W> {
             self.point_scale.doubled(0),
         )
     }
+
+    /// The Bernstein coefficients of w·(p − c) on the section, up to one positive factor: p is the point `to`, w the weight of c.
+    pub fn chords_to(&self, to: &PointAndField<W>) -> Option<Vec<[W; 3]>> {
+        // Both points are numerators over a weight; where a whole section has one weight, what it shares with the other one cancels.
+        let (weight, weights) = match (to.weights.first(), self.weights.is_empty()) {
+            (None, true) => {
+                let (of_point, of_section, _) = bring_together(to.point_scale.doubled(0), self.point_scale.doubled(0))?;
+                (of_point, vec![of_section])
+            }
+            (Some(weight), true) => (weight.clone(), vec![W::from_integer(&self.point_scale.value())?]),
+            (None, false) => (W::from_integer(&to.point_scale.value())?, self.weights.clone()),
+            (Some(weight), false) => (weight.clone(), self.weights.clone()),
+        };
+        let minus = W::zero().minus(&weight)?;
+        self.points
+            .iter()
+            .enumerate()
+            .map(|(k, q)| combine(&weights[k.min(weights.len() - 1)], &to.point[0], &minus, q))
+            .collect()
+    }
 }
 
 /// The common denominator b of some parameters, and their numerators over it.
@@ -242,7 +262,7 @@ fn blossom<W: Word>(coefficients: &[[W; 3]], arguments: &[&W], denominator: &W) 
     for argument in arguments {
         let rest = denominator.minus(argument)?;
         for i in 0..row.len() - 1 {
-            row[i] = super::word::combine(&rest, &row[i], argument, &row[i + 1])?;
+            row[i] = combine(&rest, &row[i], argument, &row[i + 1])?;
         }
         row.pop();
     }

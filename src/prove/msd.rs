@@ -8,6 +8,7 @@ use tempfile::SpooledTempFile;
 use super::cover::{Aim, Event, Goal, Stuck};
 use super::evidence::{IN_MEMORY, write_checked};
 use super::float_chain::FloatChain;
+use super::newton::Candidate;
 use super::node::run_cones;
 use super::seeds;
 use super::tree::{Curve as SearchCurve, Failure, search};
@@ -309,7 +310,7 @@ impl Work<'_> {
                 return Ok(self.found(Status::Undecided(why), zero_lower(), None));
             }
         }
-        // Without evidence for it, a candidate still says what lower bound to try.
+        // A candidate that cannot be proved may be none, so the bound tried first is the one below the shortest that can.
         let mut unproved: Option<f64> = None;
         for candidate in &candidates {
             if let Some(upper) = self.bounds.prove(candidate, &self.options.relative_width) {
@@ -318,55 +319,89 @@ impl Work<'_> {
             }
             unproved = unproved.or(Some(candidate.squared));
         }
+        // Is the bound tried the one below what is unproved?
+        let mut resigned = false;
         for _ in 0..64 {
             let zero = self.upper.as_ref().is_some_and(|upper| upper.squared.numer().is_zero());
             if zero {
                 return Ok(self.found(Status::Certified, zero_lower(), None));
             }
             let lower = match (&self.upper, unproved) {
-                (Some(upper), None) => Lower::Finite(below(&upper.squared, &self.options.relative_width)),
-                (_, Some(squared)) => match Rational::from_f64(squared) {
+                (_, Some(squared)) if resigned => match Rational::from_f64(squared) {
                     Some(squared) => Lower::Finite(below(&squared, &self.options.relative_width)),
                     None => zero_lower(),
                 },
-                (None, None) => Lower::Infinite,
+                (Some(upper), _) => Lower::Finite(below(&upper.squared, &self.options.relative_width)),
+                (None, _) => Lower::Infinite,
             };
-            match self.attempt(&lower, &self.options.relative_width)? {
+            let why = match self.attempt(&lower, &self.options.relative_width)? {
                 Attempt::Proved(tree, leaves) => {
-                    let status = match (&lower, &self.upper, unproved) {
-                        (Lower::Infinite, _, _) | (_, Some(_), None) => Status::Certified,
-                        _ => Status::Undecided("no double normal could be proved to exist".into()),
+                    let status = if resigned {
+                        Status::Undecided("no double normal could be proved to exist".into())
+                    } else {
+                        Status::Certified
                     };
                     return Ok(self.found(status, lower, Some((tree, leaves))));
                 }
                 Attempt::Event(Event::Shorter(candidate)) => {
-                    match self.bounds.prove(&candidate, &self.options.relative_width) {
-                        Some(upper) if self.upper.as_ref().is_none_or(|known| upper.squared < known.squared) => {
-                            self.upper = Some(upper);
-                            unproved = None;
-                        }
-                        _ if unproved.is_none_or(|known| candidate.squared < known * (1.0 - 1e-15)) => {
-                            unproved = Some(candidate.squared);
-                        }
-                        _ => return self.ladder("a shorter double normal may exist that could not be isolated"),
-                    }
-                }
-                Attempt::Event(Event::Stuck(stuck)) => {
-                    if let Some(found) = self.crossing(&stuck) {
-                        self.upper = Some(found);
+                    if self.improve(&candidate) {
+                        resigned = false;
                         unproved = None;
                         continue;
                     }
-                    let why = self.describe(&stuck);
-                    return self.ladder(&why);
+                    if unproved.is_none_or(|known| candidate.squared < known * (1.0 - 1e-15)) {
+                        unproved = Some(candidate.squared);
+                        resigned = true;
+                        continue;
+                    }
+                    "a shorter double normal may exist that could not be isolated".into()
                 }
-                Attempt::Event(Event::Budget) => {
-                    let why = format!("the budget of {} leaves ran out", self.budget());
-                    return self.ladder(&why);
+                Attempt::Event(Event::Stuck(stuck)) => {
+                    if self.improve_at(&stuck) {
+                        resigned = false;
+                        unproved = None;
+                        continue;
+                    }
+                    self.describe(&stuck)
                 }
+                Attempt::Event(Event::Budget) => format!("the budget of {} leaves ran out", self.budget()),
+            };
+            if resigned || unproved.is_none() {
+                return self.ladder(&why);
             }
+            resigned = true;
         }
         self.ladder("the search found ever shorter double normals")
+    }
+
+    /// Takes a candidate for the upper bound if it can be proved and is shorter than what is.
+    fn improve(&mut self, candidate: &Candidate) -> bool {
+        let found = self.bounds.prove(candidate, &self.options.relative_width);
+        self.take_shorter(found)
+    }
+
+    /// Looks for a double normal or a double point near a pair that nothing separates.
+    fn improve_at(&mut self, stuck: &Stuck) -> bool {
+        if stuck.adjacent {
+            return false;
+        }
+        let candidate = Candidate {
+            s: stuck.s,
+            t: stuck.t,
+            squared: stuck.distance * stuck.distance,
+        };
+        let found = self.bounds.crossing(stuck.s, stuck.t);
+        self.take_shorter(found) || self.improve(&candidate)
+    }
+
+    fn take_shorter(&mut self, found: Option<UpperBound>) -> bool {
+        match found {
+            Some(found) if self.upper.as_ref().is_none_or(|known| found.squared < known.squared) => {
+                self.upper = Some(found);
+                true
+            }
+            _ => false,
+        }
     }
 
     fn found(&mut self, status: Status, lower: Lower, tree: Option<(SpooledTempFile, u64)>) -> Found {
@@ -402,15 +437,6 @@ impl Work<'_> {
             Ok(leaves) => Ok(Attempt::Proved(tree, leaves)),
             Err(Failure::Event(event)) => Ok(Attempt::Event(event)),
             Err(Failure::Io(error)) => Err(error.into()),
-        }
-    }
-
-    /// A double point near a pair that nothing separates.
-    fn crossing(&self, stuck: &Stuck) -> Option<UpperBound> {
-        if stuck.adjacent {
-            None
-        } else {
-            self.bounds.crossing(stuck.s, stuck.t)
         }
     }
 

@@ -74,8 +74,8 @@ def passage(contact, displacements, times, s, t, first, second, third):
     for time, sign in ((start, 1), (end, -1)):
         moment = contact.moment(displacements, time)
         one, other = at(moment, s), at(moment, t)
-        one.require_signs(other, 1, 1, lambda x, _v, _w: dot(first, x) > 0)
-        other.require_signs(one, 1, -1, lambda x, _v, _w: dot(second, x) > 0)
+        one.require_signs(other, first)
+        other.require_signs(one, [-x for x in second])
         n = [sign * x for x in third]
         for p in one.points:
             for q in other.points:

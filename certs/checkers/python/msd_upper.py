@@ -4,7 +4,7 @@ import itertools
 import math
 from fractions import Fraction
 
-from curve import combination_positive, difference, dot
+from curve import difference, dot
 from document import Reject, expect, integer, items, natural, number, require, shown, text, variant
 
 MAX_SUBSECTIONS = 1_024
@@ -26,6 +26,9 @@ def check(chain, rule, upper, critical):
         rules["critical_interval"] = {"s": parameter, "t": interval, "regular": vector}
     fields = variant("rule", rules)(rule, "upper")
     require_order(chain, fields["s"], fields["t"])
+    if rule["rule"] == "miranda" and not critical:
+        for place in fields["s"], fields["t"]:
+            place.require_smooth()
     CHECKS[fields.pop("rule")](chain, upper, **fields)
 
 
@@ -64,25 +67,36 @@ class Interval:
         first, last = self.arcs[0], self.arcs[-1]
         self.ends = (first.points[0], first.d[0]), (last.points[-1], last.d[-1])
 
-    def require_regular(self, m):
-        """Smooth joints inside only, and m·v > 0 for all tangents."""
+    def require_smooth(self):
         for corner in self.corners:
             raise Reject(f"{self.where}: the joint {corner} inside is a corner")
+
+    def require_regular(self, m):
+        """m·v > 0 for all tangents."""
         holds = all(dot((*m, 0), v) > 0 for arc in self.arcs for v in arc.d)
         require(holds, f"{self.where}: expected m·v > 0 for all tangents, found a value ≤ 0")
 
-    def require_signs(self, other, count, orientation, positive):
-        """orientation·(end of this one − q) is on the negative side at the start, on the positive one at the end.
+    def require_signs(self, other, n):
+        """n·(end of this one − q) is negative at the start and positive at the end for all points q of the other interval."""
+        for (end, _), sign, wish in zip(self.ends, (-1, 1), "<>"):
+            if not all(sign * dot(n, difference(end, q)) > 0 for q in other.points):
+                raise Reject(f"{self.where}: expected a value {wish} 0 on this edge, found another sign")
 
-        This holds for all q on each of `count` equal sub-sections of every section of the other interval.
+    def require_products(self, other, count, orientation, alpha, beta):
+        """orientation·(end − c)·(α D(end) + β D) is negative at the start and positive at the end, by Bernstein coefficients.
+
+        c and D run over each of `count` equal sub-sections of every section of the other interval.
         """
         for arc, i in itertools.product(other.arcs, range(count)):
             points, d = arc.restricted(Fraction(i, count), Fraction(i + 1, count))
-            for (end, direction), sign, wish in zip(self.ends, (-orientation, orientation), "<>"):
-                for q in points:
-                    chord = [sign * x for x in difference(end, q)]
-                    if not positive(chord, [[direction]], [d]):
-                        raise Reject(f"{self.where}: expected a value {wish} 0 on this edge, found another sign")
+            for (end, (x, y, z, scale)), sign, wish in zip(self.ends, (-orientation, orientation), "<>"):
+                chords = [difference(end, q) for q in points]
+                rows = [[alpha * v[3] * a + beta * scale * b for a, b in zip((x, y, z), v)] for v in d]
+                values = [0] * (len(chords) + len(rows) - 1)
+                for (j, chord), (k, row) in itertools.product(enumerate(chords), enumerate(rows)):
+                    values[j + k] += math.comb(len(chords) - 1, j) * math.comb(len(rows) - 1, k) * dot(chord, row)
+                if not all(sign * value > 0 for value in values):
+                    raise Reject(f"{self.where}: expected a value {wish} 0 on this edge, found another sign")
 
 
 def require_short(points, others, upper):
@@ -98,8 +112,8 @@ def miranda(_chain, upper, s, t, first, second, regular, subdivisions):
     s.require_regular(regular[0])
     t.require_regular(regular[1])
     require(alpha1 * beta2 != alpha2 * beta1, "upper: expected α₁β₂ ≠ α₂β₁, found equality")
-    s.require_signs(t, subdivisions, 1, lambda x, v, w: combination_positive(x, v, alpha1, w, beta1))
-    t.require_signs(s, subdivisions, -1, lambda x, w, v: combination_positive(x, v, alpha2, w, beta2))
+    s.require_products(t, subdivisions, 1, alpha1, beta1)
+    t.require_products(s, subdivisions, -1, beta2, alpha2)
     require_short(s.points, t.points, upper)
 
 
@@ -107,8 +121,8 @@ def crossing(chain, _upper, s, t, first, second):
     expect(chain.dimension == 2, "upper, rule 'crossing'", "a curve in the plane", chain.dimension)
     require(first[0] * second[1] != first[1] * second[0], "upper: the two vectors are linearly dependent")
     n1, n2 = (*first, 0), (*second, 0)
-    s.require_signs(t, 1, 1, lambda x, _v, _w: dot(n1, x) > 0)
-    t.require_signs(s, 1, -1, lambda x, _w, _v: dot(n2, x) > 0)
+    s.require_signs(t, n1)
+    t.require_signs(s, [-x for x in n2])
 
 
 def root(chain, upper, s, s_side, t, t_side):
@@ -147,6 +161,7 @@ def critical_interval(chain, upper, s, t, regular):
     expect(chain.is_end(s) or chain.is_corner(s), "upper.s", "the parameter of a corner or an end", s)
     around = chain.closed and t.start <= s + chain.size <= t.end
     require(not (t.start <= s <= t.end or around), "upper.t: the interval contains s")
+    t.require_smooth()
     t.require_regular(regular)
     e = chain.place(s)
     chords = [difference(q, e) for q in t.points]

@@ -1,17 +1,18 @@
 //! `miranda`: a double normal exists in a box of parameters (FORMAT §6).
 //!
-//! Proof: F_i(s,t) = (c(s)−c(t))·(α_i D(s)+β_i D(t)) is on each face a convex combination of the products tested (for a fixed first argument, the point
-//! c(t) is one of the hull points q, D(t) one of the coefficients w), so F₁ has opposite signs on s = s₀ and s = s₁, and F₂ on t = t₀ and t = t₁. If no joint is inside, F is continuous
+//! Proof: on each face one argument is fixed, and F_i(s,t) = (c(s)−c(t))·(α_i D(s)+β_i D(t)) is a polynomial over a positive one, the weight; all its Bernstein coefficients
+//! have one sign, so F₁ has opposite signs on s = s₀ and s = s₁, and F₂ on t = t₀ and t = t₁. If no joint is inside, F is continuous
 //! and vanishes somewhere by the Poincaré–Miranda theorem; as α₁β₂ ≠ α₂β₁ the chord is orthogonal to D(s) and D(t), neither of which vanishes because m·D > 0.
 //! At a smooth joint inside, D jumps from D⁻ to D⁺ = λD⁻, λ > 0. Widen the joint to a segment on which c stands still and D passes from D⁻ to D⁺ linearly: F
 //! is continuous on the longer box; on its faces F is linear in D there, so its sign is that of the two ends, which are tested; a zero on the segment is one at the joint.
+//! The same holds at a corner in the convention `critical`: a zero on the segment is a chord orthogonal to some λD⁻ + μD⁺, which is what critical means there.
 
 use super::{Outcome, fails};
 use crate::check::chain::Chain;
 use crate::check::hull::{Gap, Hull, bring_together};
 use crate::check::section::{HullAndField, PointAndField, Section, apart, end_of, point, section, sections, smooth_at};
 use crate::check::word::{Word, combine, dot, vector};
-use crate::claim::msd::Interval;
+use crate::claim::msd::{Convention, Interval};
 use crate::number::{Integer, Rational};
 
 /// The witness of the rule.
@@ -31,7 +32,12 @@ pub struct Witness<'w> {
 }
 
 /// Checks all obligations.
-pub fn check<W: Word>(chain: &Chain, witness: &Witness, upper_squared: &Rational) -> Option<Outcome> {
+pub fn check<W: Word>(
+    chain: &Chain,
+    witness: &Witness,
+    convention: Convention,
+    upper_squared: &Rational,
+) -> Option<Outcome> {
     if !(1..=1024).contains(&witness.subdivisions) {
         return Some(fails("1 to 1,024 subdivisions", witness.subdivisions.to_string()));
     }
@@ -46,10 +52,9 @@ pub fn check<W: Word>(chain: &Chain, witness: &Witness, upper_squared: &Rational
     if !apart(chain, witness.s, witness.t) {
         return Some(fails("disjoint intervals in order", "intervals that meet".into()));
     }
-    if let Some(joint) = joint_s
-        .into_iter()
-        .chain(joint_t)
-        .find(|joint| !smooth_at(chain, *joint))
+    let mut joints = joint_s.into_iter().chain(joint_t);
+    if convention == Convention::Smooth
+        && let Some(joint) = joints.find(|joint| !smooth_at(chain, *joint))
     {
         return Some(fails("no corner inside", format!("the corner at {joint}")));
     }
@@ -142,7 +147,7 @@ pub fn at_most<W: Word>(a: &Hull<'_, W>, b: &Hull<'_, W>, upper_squared: &Ration
 }
 
 /// The sign on one face: negative at the start (`end` false), positive at the end, of (p−q)·(αD(p)+βD(q)), where the fixed point is p, or q if
-/// `swapped`.
+/// `swapped`: a polynomial along the face, all of whose Bernstein coefficients have that sign.
 fn face<W: Word>(
     here: &PointAndField<W>,
     part: &HullAndField<W>,
@@ -157,19 +162,35 @@ fn face<W: Word>(
     };
     let (s, t, _): (W, W, _) = bring_together(here.field_scale.doubled(0), part.field_scale.doubled(0))?;
     let (mut fixed, mut moving) = (W::from_integer(fixed)?.times(&t)?, W::from_integer(moving)?.times(&s)?);
-    if !end {
+    // The chords below run from the moving point to the fixed one.
+    if end == swapped {
         (fixed, moving) = (W::zero().minus(&fixed)?, W::zero().minus(&moving)?);
     }
-    let (point, hull) = (here.hull(), part.hull());
-    let gap = if swapped {
-        Gap::new(&hull, &point)
-    } else {
-        Gap::new(&point, &hull)
-    }?;
-    for w in &part.fields {
-        if !gap.positive(&combine(&fixed, &here.field, &moving, w)?)? {
-            return Some(false);
+    let chords = part.chords_to(here)?;
+    let fields = part
+        .fields
+        .iter()
+        .map(|w| combine(&fixed, &here.field, &moving, w))
+        .collect::<Option<Vec<_>>>()?;
+    let (of_chord, of_field) = (binomials::<W>(chords.len())?, binomials::<W>(fields.len())?);
+    let mut coefficients = vec![W::zero(); chords.len() + fields.len() - 1];
+    for (i, x) in chords.iter().enumerate() {
+        for (j, v) in fields.iter().enumerate() {
+            let term = dot(x, v)?.times(&of_chord[i].times(&of_field[j])?)?;
+            coefficients[i + j] = coefficients[i + j].plus(&term)?;
         }
     }
-    Some(true)
+    Some(coefficients.iter().all(|coefficient| *coefficient > W::zero()))
+}
+
+/// The row of Pascal's triangle with `count` entries.
+fn binomials<W: Word>(count: usize) -> Option<Vec<W>> {
+    let mut row = vec![W::from_i128(1)?];
+    while row.len() < count {
+        for k in (1..row.len()).rev() {
+            row[k] = row[k].plus(&row[k - 1])?;
+        }
+        row.push(W::from_i128(1)?);
+    }
+    Some(row)
 }

@@ -29,6 +29,10 @@ impl Bounds<'_> {
         };
         for (corner, foot) in [(candidate.s, candidate.t), (candidate.t, candidate.s)] {
             let Some(s) = corner_at(corner) else { continue };
+            let exact = self.exact_foot(&s, foot).and_then(|t| self.exact_pair(&s, &t));
+            if exact.is_some() {
+                return exact;
+            }
             let t = self.global(foot)?;
             let [_, derivative, _] = self.floats.evaluate(foot.0, foot.1);
             let ratio = dot(&derivative, &derivative).sqrt() / candidate.squared.sqrt();
@@ -83,7 +87,7 @@ impl Bounds<'_> {
             self.floats.evaluate(at.0, at.1),
         );
         let slope = (dot(&q1, &q1) + dot(&sub(&q, &p), &q2)) / self.field_scale(at);
-        for _ in 0..8 {
+        for _ in 0..16 {
             let (x, unit) = root::chord(self.chain, (&t, self.any_side(&t)), (s, self.any_side(s)))?;
             let here = point::<Integer>(self.chain, &locate(self.chain, &t, self.any_side(&t))?)?;
             let residual = Rational::new(root::product(&x, &here.field), unit * here.field_scale.value());

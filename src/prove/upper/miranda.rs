@@ -1,16 +1,23 @@
 //! A double normal in a small box of parameters.
 
-use super::round::{few_bits_between, power_of_two, raw_product, rounded};
+use super::round::{few_bits_between, integer, power_of_two, raw_product, rounded};
 use super::{Bounds, UpperBound};
 use crate::check::chain::Chain;
 use crate::check::hull::{Gap, Hull};
 use crate::check::rule::{miranda, root};
-use crate::check::section::{Section, locate, point, section, sections};
+use crate::check::section::{Section, as_joint, joint_pieces, locate, point, section, sections, smooth_at};
 use crate::check::word::{Word, dot as exact_dot, widening};
-use crate::claim::msd::{Interval, Side, Upper};
+use crate::claim::msd::{Convention, Interval, Side, Upper};
 use crate::number::{Integer, Rational, RationalExt};
-use crate::prove::newton::Candidate;
+use crate::prove::newton::{Candidate, Location};
 use crate::prove::vector::{dot, quantised, sub};
+
+/// The rows α, β of a box, and how many more times each of its sides is halved.
+struct Frame {
+    first: [Integer; 2],
+    second: [Integer; 2],
+    finer: [u32; 2],
+}
 
 impl Bounds<'_> {
     /// The existence of a double normal in a small box around the candidate.
@@ -32,37 +39,140 @@ impl Bounds<'_> {
         } else {
             [t.clone(), s.clone()]
         };
-        let quick = if bits <= 36 {
-            self.miranda_near(start, bits, relative_width)
-        } else {
-            None
+        let near = |(s, t): (Rational, Rational)| {
+            let (s, t) = if s <= t { (s, t) } else { (t, s) };
+            let frame = self.inverse_frame(&s, &t);
+            self.in_frame([&s, &t], &frame, bits, relative_width)
         };
-        match quick {
-            // Floats are nearer to the root than the middle of the box is.
-            Some(found) => Some(UpperBound { at, ..found }),
-            None => self.miranda_near(self.refined(s, t, bits + 8)?, bits, relative_width),
+        let quick = if bits <= 36 { near(start) } else { None };
+        // Floats are nearer to the root than the middle of the box is.
+        if let Some(found) = quick {
+            return Some(UpperBound { at, ..found });
+        }
+        let refined = self.refined(s, t, bits + 8).and_then(near);
+        if refined.is_some() || self.convention == Convention::Smooth {
+            return refined;
+        }
+        self.around_corners(candidate, bits, relative_width)
+    }
+
+    /// Boxes with a corner inside. There D jumps, so that the chord times D changes its sign at once where the corner is critical.
+    fn around_corners(&self, candidate: &Candidate, bits: u32, relative_width: &Rational) -> Option<UpperBound> {
+        let corner = |location: Location| {
+            let parameter = self.normal(integer(location.0) + Rational::from_f64(location.1.round())?);
+            let near = (location.1 - location.1.round()).abs() < 1e-4;
+            let joint = as_joint(&parameter)?;
+            (near && !smooth_at(self.chain, joint) && (joint > 0 || self.chain.closed)).then_some(joint)
+        };
+        let mut ends = [(candidate.s, corner(candidate.s)), (candidate.t, corner(candidate.t))];
+        let parameter = |(location, joint): (Location, Option<usize>)| match joint {
+            Some(joint) => Some(integer(joint)),
+            None => self.global(location),
+        };
+        if parameter(ends[0])? > parameter(ends[1])? {
+            ends.swap(0, 1);
+        }
+        let at = [parameter(ends[0])?, parameter(ends[1])?];
+        // Which sides of the corners the derivatives are taken on.
+        let sides = |(location, joint): (Location, Option<usize>)| match joint {
+            Some(joint) => {
+                let (before, after) = joint_pieces(self.chain, joint);
+                before
+                    .map(|piece| (piece, 1.0))
+                    .into_iter()
+                    .chain(after.map(|piece| (piece, 0.0)))
+                    .collect()
+            }
+            None => vec![location],
+        };
+        if ends.iter().all(|(_, joint)| joint.is_none()) {
+            return None;
+        }
+        for s in sides(ends[0]) {
+            for t in sides(ends[1]) {
+                let frames = self.corner_frames(s, t, [ends[0].1.is_some(), ends[1].1.is_some()]);
+                for frame in &frames {
+                    for finer in [0, 8, 16, 24] {
+                        let found = self.in_frame([&at[0], &at[1]], frame, bits + finer, relative_width);
+                        if found.is_some() {
+                            return found;
+                        }
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// Rows for a box with corners inside: the parameter without one is kept nearly constant by the box's shape.
+    fn corner_frames(&self, s: Location, t: Location, corners: [bool; 2]) -> Vec<Frame> {
+        let jacobian = self.jacobian(s, t);
+        let [[a, b], [c, d]] = jacobian;
+        let full = self.frame_of(&jacobian, s, t);
+        let plain = |first: f64, second: f64| {
+            let unit = |x: f64| Integer::from(if x < 0.0 { -1 } else { 1 });
+            ([unit(first), Integer::ZERO], [Integer::ZERO, unit(second)])
+        };
+        // More halvings, so that what the other parameter changes stays below the sign.
+        let shape = |keeps: f64, spoils: f64| ((spoils / keeps).abs().log2().ceil().clamp(0.0, 40.0)) as u32 + 2;
+        let mut frames = Vec::new();
+        for sign_s in [1.0, -1.0] {
+            for sign_t in [1.0, -1.0] {
+                let (first, second) = plain(sign_s, sign_t);
+                let frame = |first: &[Integer; 2], second: &[Integer; 2], finer| Frame {
+                    first: first.clone(),
+                    second: second.clone(),
+                    finer,
+                };
+                match corners {
+                    [true, true] => frames.push(frame(&first, &second, [0, 0])),
+                    [true, false] if sign_t == d.signum() => {
+                        let finer = [shape(d, c), 0];
+                        frames.push(frame(&first, &second, finer));
+                        frames.push(frame(&full.first, &second, finer));
+                    }
+                    [false, true] if sign_s == a.signum() => {
+                        let finer = [0, shape(a, b)];
+                        frames.push(frame(&first, &second, finer));
+                        frames.push(frame(&first, &full.second, finer));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        frames
+    }
+
+    fn inverse_frame(&self, s: &Rational, t: &Rational) -> Frame {
+        let (s, t) = (self.local(s), self.local(t));
+        self.frame_of(&self.jacobian(s, t), s, t)
+    }
+
+    /// The rows of the inverse Jacobian, up to positive factors: they make F_i nearly a function of one parameter each.
+    fn frame_of(&self, jacobian: &[[f64; 2]; 2], s: Location, t: Location) -> Frame {
+        let [[a, b], [c, d]] = *jacobian;
+        let (scale_s, scale_t) = (self.field_scale(s), self.field_scale(t));
+        let determinant = a * d - b * c;
+        // Rows of an ill-conditioned matrix are nearly parallel and need more bits.
+        let condition = (a * a + b * b + c * c + d * d) / determinant.abs();
+        let bits = (10.0 + condition.log2()).clamp(12.0, 50.0) as u32;
+        let row = |x: f64, y: f64| {
+            let sign = determinant.signum();
+            let n = quantised(&[sign * x * scale_s, sign * y * scale_t, 0.0, 0.0], bits);
+            [Integer::from(n[0]), Integer::from(n[1])]
+        };
+        Frame {
+            first: row(d, -b),
+            second: row(-c, a),
+            finer: [0, 0],
         }
     }
 
-    /// The same for two parameters that are right to a small part of 2^-bits.
-    pub(super) fn miranda_near(
-        &self,
-        (s, t): (Rational, Rational),
-        bits: u32,
-        relative_width: &Rational,
-    ) -> Option<UpperBound> {
-        let (near_s, near_t) = if s <= t { (s, t) } else { (t, s) };
-        let (s, t) = (&near_s, &near_t);
-        let jacobian = self.jacobian(self.local(s), self.local(t));
-        let (scale_s, scale_t) = (self.field_scale(self.local(s)), self.field_scale(self.local(t)));
-        let determinant = jacobian[0][0] * jacobian[1][1] - jacobian[0][1] * jacobian[1][0];
-        let row = |x: f64, y: f64| {
-            let sign = determinant.signum();
-            let n = quantised(&[sign * x * scale_s, sign * y * scale_t, 0.0, 0.0], 12);
-            [Integer::from(n[0]), Integer::from(n[1])]
-        };
-        let first = row(jacobian[1][1], -jacobian[0][1]);
-        let second = row(-jacobian[1][0], jacobian[0][0]);
+    /// A box around two parameters, in order, that are right to a small part of 2^-bits.
+    fn in_frame(&self, at: [&Rational; 2], frame: &Frame, bits: u32, relative_width: &Rational) -> Option<UpperBound> {
+        let [near_s, near_t] = at;
+        let (s, t) = (near_s, near_t);
+        let Frame { first, second, finer } = frame;
         let one = Rational::from_integer(1.into());
         let tight = &one + relative_width * Rational::new(3.into(), 10.into());
         let grown = &one + relative_width * Rational::new(1.into(), 20.into());
@@ -80,20 +190,32 @@ impl Bounds<'_> {
             (None, None) => false,
         };
         for extra in (0..=12).step_by(2) {
-            let bits = bits + extra;
-            let interval = |x: &Rational| {
+            let interval = |x: &Rational, finer: u32| {
+                let bits = bits + extra + finer;
                 let (middle, step) = (rounded(x, bits), power_of_two(bits));
                 Interval {
                     start: &middle - &step,
                     end: middle + step,
                 }
             };
-            let (s, t) = (interval(s), interval(t));
+            let (mut s, mut t) = (interval(s, finer[0]), interval(t, finer[1]));
+            let (mut first, mut second) = (first.clone(), second.clone());
+            if self.chain.closed && s.start.numer().is_negative() {
+                // Around parameter 0: counted beyond M, it comes second, and the chord turns round.
+                let all = integer(self.chain.count());
+                s = Interval {
+                    start: &s.start + &all,
+                    end: &s.end + &all,
+                };
+                (s, t) = (t, s);
+                let turned = |[alpha, beta]: &[Integer; 2]| [-beta, -alpha];
+                (first, second) = (turned(&second), turned(&first));
+            }
             let Some(reach) = self.greatest_distance(&s, &t).filter(within) else {
                 continue;
             };
             let squared = few_bits_between(&reach, &raw_product(&[&reach, &grown]), 0.05 * width);
-            for subdivisions in [1, 2, 4, 8, 16, 32] {
+            for subdivisions in [1, 2, 4, 8] {
                 let regular = [self.direction(&s), self.direction(&t)];
                 let witness = miranda::Witness {
                     s: &s,
@@ -103,7 +225,7 @@ impl Bounds<'_> {
                     regular: &regular,
                     subdivisions,
                 };
-                let outcome = widening!(128, W => miranda::check::<W>(self.chain, &witness, &squared));
+                let outcome = widening!(128, W => miranda::check::<W>(self.chain, &witness, self.convention, &squared));
                 if outcome.is_ok() {
                     let at = [near_s.clone(), near_t.clone()];
                     let rule = Upper::Miranda {

@@ -1,11 +1,11 @@
 //! Double normals at simple fractions, found exactly.
 
-use super::round::integer;
+use super::round::{integer, power_of_two};
 use super::{Bounds, UpperBound};
 use crate::check::rule::{critical, root};
 use crate::check::section::locate;
 use crate::claim::msd::{Convention, Side, Upper};
-use crate::number::{Rational, RationalExt, approximate};
+use crate::number::{Rational, RationalExt, approximate, simplest_between};
 use crate::prove::newton::{self, Candidate, Location};
 
 impl Bounds<'_> {
@@ -27,25 +27,37 @@ impl Bounds<'_> {
             return None;
         }
         for (free, other) in [(candidate.s, candidate.t), (candidate.t, candidate.s)] {
-            for denominator in [1.0, 2.0, 4.0, 8.0] {
-                let fixed = ((free.1 * denominator).round() / denominator).clamp(0.0, 1.0);
+            let simple =
+                [1.0, 2.0, 4.0, 8.0].map(|denominator| ((free.1 * denominator).round() / denominator).clamp(0.0, 1.0));
+            for fixed in simple.into_iter().chain([free.1]) {
                 let [p, _, _] = self.floats.evaluate(free.0, fixed);
-                let Some(foot) = newton::foot(self.floats, &p, other) else {
-                    continue;
-                };
-                let Some(u) = approximate(foot.1, 1 << 20) else {
-                    continue;
-                };
-                let Some(fixed) = Rational::from_f64(fixed) else {
-                    continue;
-                };
-                let found = self.exact_pair(&self.normal(integer(free.0) + fixed), &self.normal(integer(foot.0) + u));
+                let found = newton::foot(self.floats, &p, other).and_then(|foot| {
+                    let fixed = self.normal(integer(free.0) + Rational::from_f64(fixed)?);
+                    self.exact_pair(&fixed, &self.exact_foot(&fixed, foot)?)
+                });
                 if found.is_some() {
                     return found;
                 }
             }
         }
         None
+    }
+
+    /// A fraction near `foot` at which a perpendicular from c(s) may meet the curve exactly: the simplest one near the root of the
+    /// equation, if it is much simpler than the accuracy of the root. On a segment and on a conic whose normals pass through one point such fractions exist.
+    pub(super) fn exact_foot(&self, s: &Rational, foot: Location) -> Option<Rational> {
+        if let Some(u) = approximate(foot.1, 1 << 20)
+            && (u.to_f64() - foot.1).abs() < 1e-13
+        {
+            return Some(self.normal(integer(foot.0) + u));
+        }
+        let start = integer(foot.0) + Rational::from_f64(foot.1)?;
+        [128, 640].into_iter().find_map(|bits| {
+            let root = self.refined_foot(s, start.clone(), bits)?;
+            let error = power_of_two(bits - 4);
+            let simplest = simplest_between(&(&root - &error), &(&root + &error));
+            (simplest.denom().bits() < u64::from(bits) / 2 - 8).then(|| self.normal(simplest))
+        })
     }
 
     /// Is the Jacobian at the candidate nearly singular?

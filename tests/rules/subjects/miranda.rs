@@ -151,7 +151,17 @@ pub fn cases() -> Vec<Case> {
             rule(["1/2", "3/2"], ["25/8", "31/8"], [[-1, 0], [0, -1]], across(), 1),
         )
     };
-    cases.reject("corner-inside", &wide(wedge), expecting("miranda", "no corner inside"));
+    cases.reject("corner-inside", &wide(wedge.clone()), expecting("miranda", "no corner inside"));
+    // In the other convention the chord from the corner to the roof counts: it is orthogonal to the sum of the corner's directions.
+    cases.accept("corner-inside-critical", &wide(wedge).critical());
+    // Where the curve goes down before and behind the corner, no chord to the roof is critical there.
+    let falling = polygon(json!([[-1, 4], [0, 0], [1, "-1/2"], [1, 9], [-1, 9]]));
+    let over = rule(["1/2", "3/2"], ["25/8", "31/8"], [[-1, 0], [0, -1]], across(), 1);
+    cases.reject(
+        "corner-inside-not-critical",
+        &Certificate::new(falling).critical().upper("200", over),
+        face.clone(),
+    );
     // A smooth joint inside, where D jumps by a factor: the parabola in two pieces of different speed.
     let pieces = under_a_roof(json!([
         [[-1, 1], ["-3/4", "1/2"], ["-1/2", "1/4"]],
