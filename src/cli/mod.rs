@@ -63,7 +63,7 @@ enum Command {
     #[cfg(feature = "prove")]
     Show(show::Arguments),
     #[cfg(feature = "prove")]
-    Compare(compare::Arguments),
+    Compare(Box<compare::Arguments>),
 }
 
 /// What every subcommand prints.
