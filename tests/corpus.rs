@@ -101,6 +101,8 @@ fn every_rule_is_on_both_sides() {
         "not_normal",
         "cone",
         "bend",
+        "turn",
+        "pedal",
         "miranda",
         "root",
         "touch",

@@ -113,10 +113,12 @@ fn degree_eight() {
 #[test]
 fn circles() {
     for (name, diameter) in [("nurbs-circle", "2"), ("nurbs-circle-radius-3-2", "3")] {
-        for width in ["1e-1", "1e-3", "1e-6"] {
+        for width in ["1e-1", "1e-6", "1e-12", "1e-30"] {
             let curve = file(name);
             let certified = accepted(&curve, Convention::Smooth, width, None);
             encloses(&certified, diameter, width);
+            // All diameters are double normals: opposite parts take one leaf, whatever the width.
+            assert!(certified.leaves < 200, "{} leaves", certified.leaves);
             let diameter = number(diameter);
             assert_eq!(
                 certified.document.claim.statement.upper_squared,
@@ -129,6 +131,88 @@ fn circles() {
         "2",
         "1e-12",
     );
+}
+
+/// A chain with a conic in it, of the weights 1, 1, 2.
+fn with_conic(before: &str, conic: &str, after: &str) -> Curve {
+    let text = format!(
+        r#"{{"knotproof":"curve/1","bezier":{{"pieces":[{before}{{"points":{conic},"weights":["1","1","2"]}}{after}]}}}}"#
+    );
+    read_curve(text).unwrap().curve
+}
+
+#[test]
+fn a_corner_that_is_critical_in_one_direction_exactly() {
+    // The corner turns by 3·10⁻⁶, one of its directions is level, and the nearest point is straight below at an irrational parameter.
+    let curve = with_conic(
+        r#"{"points":[["12","1.242"],["13.806","1.242"],["15.562","1.736"],["17.086","2.649"]]},"#,
+        r#"[["17.086","2.649"],["12","3.45"],["6.914","2.649"]]"#,
+        r#",{"points":[["6.914","2.649"],["9.262","1.242008"],["12","1.242"]]}"#,
+    );
+    let certified = accepted(&curve, Convention::Critical, "1e-9", None);
+    // (2·2.649 + √2·3.45)/(2 + √2) − 1.242.
+    encloses(&certified, "1.7387850634", "1e-9");
+}
+
+#[test]
+fn nearly_parallel_strands() {
+    let curve = planar(&[
+        &[("18.263", "23.994"), ("14.218", "23.994")],
+        &[
+            ("14.218", "23.994"),
+            ("14.135", "16.246"),
+            ("7.795", "9.977"),
+            ("0", "9.942"),
+        ],
+        &[("0", "9.942"), ("0", "6.038")],
+        &[("0", "6.038"), ("0.071", "6.038")],
+        &[
+            ("0.071", "6.038"),
+            ("10.054", "6.038"),
+            ("18.192", "14.082"),
+            ("18.263", "23.994"),
+        ],
+    ]);
+    for convention in [Convention::Smooth, Convention::Critical] {
+        encloses(&accepted(&curve, convention, "1e-9", None), "4.0460493377", "1e-9");
+    }
+}
+
+#[test]
+fn a_right_angled_zigzag() {
+    let zigzag = [("23", "18"), ("27/2", "17/2"), ("17/2", "27/2"), ("1", "6")];
+    let sides: Vec<[(&str, &str); 2]> = zigzag.windows(2).map(|side| [side[0], side[1]]).collect();
+    let curve = planar(&sides.iter().map(|side| &side[..]).collect::<Vec<_>>());
+    for convention in [Convention::Smooth, Convention::Critical] {
+        let certified = accepted(&curve, convention, "1e-12", None);
+        assert_eq!(certified.status, Status::Certified);
+        // The side between the corners is orthogonal to both others.
+        assert_eq!(certified.document.claim.statement.upper_squared, Some(number("50")));
+    }
+}
+
+#[test]
+fn sharp_corners_of_equal_control_points() {
+    let spike = |tip: &str, end: &str| {
+        planar(&[
+            &[("0", "0"), ("2", "0"), ("3", "0"), ("3", "0")],
+            &[("3", "0"), ("3", "0"), ("2", tip), ("0", end)],
+            &[("0", end), ("-1", "1/4"), ("0", "0")],
+        ])
+    };
+    for (tip, end) in [("1", "2"), ("1/10", "1/2"), ("1/100", "1/3")] {
+        for convention in [Convention::Smooth, Convention::Critical] {
+            let curve = spike(tip, end);
+            let certified = accepted(&curve, convention, "1e-9", None);
+            assert_eq!(certified.status, Status::Certified, "{tip} {convention:?}");
+        }
+    }
+    // The tip turned by 180°.
+    let curve = spike("0", "1/3");
+    assert!(matches!(
+        accepted(&curve, Convention::Smooth, "1e-9", None).status,
+        Status::Undecided(_)
+    ));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::boxes::Boxes;
 use super::chain::{Chain, ScaleRef};
 use super::element::{Element, Elements, Node};
 use super::part::Geometry;
-use super::rule::{Failure, Outcome, bend, cone, far, monotone, not_normal, separate};
+use super::rule::{Failure, Outcome, bend, cone, far, monotone, not_normal, pedal, separate, turn};
 use super::word::widening;
 use super::{Place, Reason, Rejection};
 use crate::claim::msd::{Convention, Lower};
@@ -57,9 +57,21 @@ impl<'c> Context<'c> {
             }
             (Leaf::NotNormal(factors), Some(b)) => widening!(bits, W => not_normal::check::<W>(self, a, b, factors)),
             (Leaf::Cone(_) | Leaf::Bend(_), Some(b)) if !self.adjacent(a, b) => fails("adjacent nodes", "nodes apart"),
-            (Leaf::Bend(_), b) if a.is_run() || b.is_some_and(Node::is_run) => fails("parts, corners or ends", "a run"),
+            (Leaf::Turn(_), Some(b)) if !self.adjacent(a, b) => fails("adjacent nodes", "nodes apart"),
+            (Leaf::Bend(_) | Leaf::Turn(_), b) if a.is_run() || b.is_some_and(Node::is_run) => {
+                fails("parts, corners or ends", "a run")
+            }
             (Leaf::Cone(n), b) => widening!(bits, W => cone::check::<W>(self, a, b, n)),
             (Leaf::Bend(factors), b) => widening!(bits, W => bend::check::<W>(self, a, b, factors)),
+            (Leaf::Turn(vectors), b) => {
+                let [p, q] = &**vectors;
+                widening!(bits, W => turn::check::<W>(self, a, b, p, q))
+            }
+            (Leaf::Pedal(_), None) => fails("two different nodes", "one"),
+            (Leaf::Pedal(witness), Some(b)) => match lower {
+                Lower::Infinite => fails("no pedal leaf under a statement of no double normal", "pedal"),
+                Lower::Finite(lower) => pedal::check(self.chain, a, b, witness, lower),
+            },
             (Leaf::Separate(_) | Leaf::Monotone(_), _) => fails("a rule of the claim msd", leaf.rule()),
         }
     }

@@ -22,6 +22,10 @@ pub enum Leaf {
     Separate([Integer; 3]),
     /// `monotone n`.
     Monotone([Integer; 3]),
+    /// `turn p q`.
+    Turn(Box<[[Integer; 3]; 2]>),
+    /// `pedal z₁ z₂ r l m`.
+    Pedal(Box<[Integer; 5]>),
 }
 
 impl Leaf {
@@ -34,15 +38,20 @@ impl Leaf {
             Leaf::Bend(_) => "bend",
             Leaf::Separate(_) => "separate",
             Leaf::Monotone(_) => "monotone",
+            Leaf::Turn(_) => "turn",
+            Leaf::Pedal(_) => "pedal",
         }
     }
 
     /// Its integers, in a space of the given dimension.
-    pub fn integers(&self, dimension: usize) -> &[Integer] {
-        match self {
-            Leaf::Far(n) | Leaf::Cone(n) | Leaf::Separate(n) | Leaf::Monotone(n) => &n[..dimension],
-            Leaf::NotNormal(factors) | Leaf::Bend(factors) => factors,
-        }
+    pub fn integers(&self, dimension: usize) -> impl Iterator<Item = &Integer> {
+        let (first, second): (&[Integer], &[Integer]) = match self {
+            Leaf::Far(n) | Leaf::Cone(n) | Leaf::Separate(n) | Leaf::Monotone(n) => (&n[..dimension], &[]),
+            Leaf::NotNormal(factors) | Leaf::Bend(factors) => (factors, &[]),
+            Leaf::Turn(vectors) => (&vectors[0][..dimension], &vectors[1][..dimension]),
+            Leaf::Pedal(witness) => (&**witness, &[]),
+        };
+        first.iter().chain(second)
     }
 }
 
@@ -174,6 +183,14 @@ impl<R: ByteRead> TokenSource for BinaryTokens<R> {
             0x06 => Token::Leaf(Leaf::Bend(self.factors()?)),
             0x07 => Token::Leaf(Leaf::Separate(self.vector()?)),
             0x08 => Token::Leaf(Leaf::Monotone(self.vector()?)),
+            0x09 => Token::Leaf(Leaf::Turn(Box::new([self.vector()?, self.vector()?]))),
+            0x0a => {
+                let mut witness: Box<[Integer; 5]> = Default::default();
+                for integer in witness.iter_mut() {
+                    *integer = self.integer()?;
+                }
+                Token::Leaf(Leaf::Pedal(witness))
+            }
             code if (0x10..0x10 + axes).contains(&code) => {
                 let code = code - 0x10;
                 Token::Leaf(Leaf::Far(unit_vector(usize::from(code / 2), code & 1 == 1)))
@@ -212,6 +229,8 @@ pub fn write_token(token: &Token, dimension: usize, out: &mut Vec<u8>) {
             None => 0x07,
         },
         Leaf::Monotone(_) => 0x08,
+        Leaf::Turn(_) => 0x09,
+        Leaf::Pedal(_) => 0x0a,
     };
     out.push(code);
     for integer in leaf.integers(dimension) {
@@ -262,12 +281,23 @@ pub fn parse_token(text: &str, dimension: usize) -> Result<Token, TokenError> {
         "split" | "first" | "second" => 0,
         "far" | "cone" | "separate" | "monotone" => dimension,
         "not_normal" | "bend" => 2,
+        "turn" => 2 * dimension,
+        "pedal" => 5,
         _ => return Err(malformed()),
     };
     if integers.len() != count || integers.iter().any(|integer| integer.bits() > MAX_WITNESS_BITS) {
         return Err(malformed());
     }
-    let vector = || std::array::from_fn(|i| integers.get(i).cloned().unwrap_or_default());
+    let vector_from = |start: usize| {
+        let components = integers.iter().skip(start).take(dimension);
+        let mut vector: [Integer; 3] = Default::default();
+        vector
+            .iter_mut()
+            .zip(components)
+            .for_each(|(to, from)| to.clone_from(from));
+        vector
+    };
+    let vector = || vector_from(0);
     let factors = || std::array::from_fn(|i| integers[i].clone());
     Ok(match rule {
         "split" => Token::Split,
@@ -278,6 +308,8 @@ pub fn parse_token(text: &str, dimension: usize) -> Result<Token, TokenError> {
         "not_normal" => Token::Leaf(Leaf::NotNormal(factors())),
         "separate" => Token::Leaf(Leaf::Separate(vector())),
         "monotone" => Token::Leaf(Leaf::Monotone(vector())),
+        "turn" => Token::Leaf(Leaf::Turn(Box::new([vector(), vector_from(dimension)]))),
+        "pedal" => Token::Leaf(Leaf::Pedal(Box::new(std::array::from_fn(|i| integers[i].clone())))),
         _ => Token::Leaf(Leaf::Bend(factors())),
     })
 }

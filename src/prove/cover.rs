@@ -200,6 +200,9 @@ impl<'n, 's> Search<'n, 's> {
             if let Some(event) = self.shorter_double_normal(a, b, contact) {
                 return Err(event);
             }
+            if let Some(leaf) = b.filter(|_| !contact.any()).and_then(|b| self.pedal(a, b)) {
+                return self.emit_leaf(leaf);
+            }
             if a.depth().max(second.depth()) >= self.goal.max_depth {
                 return Err(self.stuck(a, b, contact));
             }
@@ -208,6 +211,29 @@ impl<'n, 's> Search<'n, 's> {
         let outcome = self.split(a, b, contact);
         self.nodes.release(mark);
         outcome
+    }
+
+    /// A `pedal` leaf for two parts of a planar curve that bend around one point.
+    fn pedal(&self, a: &Node, b: &Node) -> Option<Leaf> {
+        let context = self.nodes.context;
+        let Lower::Finite(lower_squared) = &self.goal.lower else {
+            return None;
+        };
+        if context.chain.dimension != 2 || self.goal.aim != Aim::DoubleNormals || a.is_point() || b.is_point() {
+            return None;
+        }
+        let aim = leaf::pedal::Aim {
+            lower_squared,
+            length: self.goal.length,
+            slack: self.goal.slack,
+        };
+        let estimate = leaf::pedal::estimate(self.nodes, a, b, &aim)?;
+        let (a, b) = (self.nodes.exact(a), self.nodes.exact(b));
+        let leaf = leaf::pedal::leaf(self.nodes, &a, &b, &estimate, &aim)?;
+        context
+            .obligation(&a, Some(&b), &leaf, &self.goal.lower)
+            .is_ok()
+            .then_some(leaf)
     }
 
     fn split(&mut self, a: &Node, b: Option<&Node>, contact: Contact) -> Result<(), Event> {

@@ -72,6 +72,7 @@ pub fn leaf<'c>(
         cone(context, a, b)
             .filter(&holds)
             .or_else(|| bend(context, a, b, signs[1]).filter(&holds))
+            .or_else(|| turn(context, a, b).filter(&holds))
     } else {
         let b = b?;
         let (hull_a, hull_b) = (Hull::<Integer>::new(context, a)?, Hull::new(context, b)?);
@@ -205,6 +206,20 @@ fn bend(context: &Context, a: &Node, b: Option<&Node>, signs: Signs) -> Option<L
         return None;
     }
     factors(path.iter().copied(), &of_a, &of_b, signs).map(Leaf::Bend)
+}
+
+/// `turn` with vectors along the tangents of each node, of the same length: near 180° their lengths must agree well.
+fn turn(context: &Context, a: &Node, b: Option<&Node>) -> Option<Leaf> {
+    let along = |node: &Node| {
+        let directions: Vec<Vector> = directions(context, node, None)?
+            .iter()
+            .map(|v| scale(v, 1.0 / dot(v, v).sqrt()))
+            .collect();
+        let n = super::vector::inner_direction(&directions);
+        let n = scale(&n, f64::from(1 << 24) / dot(&n, &n).sqrt());
+        Some([0, 1, 2].map(|i| Integer::from(n[i].round() as i64)))
+    };
+    Some(Leaf::Turn(Box::new([along(a)?, along(b.unwrap_or(a))?])))
 }
 
 /// The tangents of one node or of two, each as a float vector of some length.

@@ -5,6 +5,7 @@
 mod apart;
 mod meeting;
 mod not_normal;
+pub mod pedal;
 
 use super::float_chain::UNIT;
 use super::node::{Node, Nodes};

@@ -306,6 +306,23 @@ impl Work<'_> {
                 ..self.goal(&Lower::Infinite, &self.options.relative_width)
             };
             if let Err(Failure::Event(Event::Stuck(stuck))) = search(&self.curve, &goal, &mut io::sink(), &|_| ()) {
+                // Where a curve turns back it often meets itself.
+                let goal = Goal {
+                    aim: Aim::CommonPoints,
+                    lower: zero_lower(),
+                    length: 0.0,
+                    slack: f64::INFINITY,
+                    max_depth: 60,
+                    diagonal: false,
+                    ..goal
+                };
+                if let Err(Failure::Event(Event::Stuck(meeting))) = search(&self.curve, &goal, &mut io::sink(), &|_| ())
+                    && !meeting.adjacent
+                    && let Some(upper) = self.bounds.crossing(meeting.s, meeting.t)
+                {
+                    self.upper = Some(upper);
+                    return Ok(self.found(Status::Certified, zero_lower(), None));
+                }
                 let why = self.describe(&stuck);
                 return Ok(self.found(Status::Undecided(why), zero_lower(), None));
             }

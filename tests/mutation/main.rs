@@ -362,6 +362,25 @@ fn curved() {
     run("lens", &hand_made("miranda", "mixed-factors"), None, 10);
     run("circle", &hand_made("root", "rational-inside"), Some(exactly(4)), 10);
     run("parabola", &proved("parabola.json", Convention::Critical, 3), None, 10);
+    run(
+        "concentric arcs",
+        &hand_made("pedal", "concentric-arcs"),
+        Some(exactly(4)),
+        10,
+    );
+    run(
+        "opposite arcs",
+        &hand_made("pedal", "opposite-arcs"),
+        Some(exactly(4)),
+        10,
+    );
+    run("needle", &hand_made("turn", "needle"), None, 10);
+    run(
+        "corner inside",
+        &hand_made("miranda", "corner-inside-critical"),
+        None,
+        10,
+    );
 }
 
 #[test]
@@ -392,6 +411,8 @@ fn known_to_forty_digits() {
 fn bytes() {
     run_binary("channel", &subjects::channel().upper("9", subjects::channel_root()), 10);
     run_binary("parabola", &proved("parabola.json", Convention::Smooth, 3), 10);
+    run_binary("concentric arcs", &hand_made("pedal", "concentric-arcs"), 10);
+    run_binary("needle", &hand_made("turn", "needle"), 10);
     run_binary("square", &proved("square.json", Convention::Critical, 3), 10);
 }
 

@@ -30,6 +30,8 @@ verified!(
     not_normal,
     cone,
     bend,
+    turn,
+    pedal,
     miranda,
     root,
     touch,

@@ -62,7 +62,7 @@ def sentence(statement):
 def token_counts(dimension):
     """How many integers each token has; in the order of their codes."""
     return {"split": 0, "first": 0, "second": 0, "far": dimension, "not_normal": 2, "cone": dimension, "bend": 2,
-            "separate": dimension, "monotone": dimension}
+            "separate": dimension, "monotone": dimension, "turn": 2 * dimension, "pedal": 5}
 
 
 def json_tokens(tree, dimension):
@@ -120,6 +120,13 @@ class Part(Node):
     def hull(self):
         w = math.lcm(*{p[3] for p in self.arc.points})
         return [tuple([x * (w // p[3]) for x in p]) for p in self.arc.points]
+
+    def columns(self, z1, z2, r, plain=0):
+        """The coefficients of w(rc − z) and of w, then those of D, times the binomials unless `plain`."""
+        points, d = self.arc
+        rows = ([r * p[0] - z1 * p[3] for p in points], [r * p[1] - z2 * p[3] for p in points], [p[3] for p in points],
+                [v[0] for v in d], [v[1] for v in d])
+        return [[x * (1 if plain else math.comb(len(row) - 1, k)) for k, x in enumerate(row)] for row in rows]
 
     @cached_property
     def children(self):
@@ -181,7 +188,7 @@ def elements_of(chain, critical):
 class Cover:
     """The replay of the cover tree; lower is None for "inf"."""
 
-    rules = frozenset({"far", "not_normal", "cone", "bend"})
+    rules = frozenset({"far", "not_normal", "cone", "bend", "turn", "pedal"})
 
     def __init__(self, chain, critical, grid, lower):
         self.chain, self.lower = chain, lower
@@ -210,7 +217,7 @@ class Cover:
         if integers:
             require(rule in self.rules, "a leaf of another claim")
             require(any(integers), "expected integers not all zero")
-            mixed = rule == "bend" or (rule == "not_normal" and all(integers))
+            mixed = rule in ("bend", "turn", "pedal") or (rule == "not_normal" and all(integers))
             require(not (mixed and (isinstance(a, Run) or isinstance(b, Run))), "this rule is not for runs")
             getattr(self, rule)(a, b, *integers)
             return []
@@ -261,3 +268,44 @@ class Cover:
             for x in [] if isinstance(node, Point) else itertools.chain(*node.tangents):
                 holds = combination_positive(x, a.tangents, alpha, b.tangents, beta)
                 require(holds, "expected (αv+βw)·x > 0, found a value ≤ 0")
+
+    def turn(self, a, b, *vectors):
+        self.require_neighbours(a, b)
+        half = len(vectors) // 2
+        p, q = ((*n, 0)[:3] for n in (vectors[:half], vectors[half:]))
+        one, two = ([v for group in node.tangents for v in group] for node in (a, b))
+        aligned = all(dot(p, v) > 0 for v in one) and all(dot(q, w) > 0 for w in two)
+        require(aligned, "expected p·v > 0 and q·w > 0, found a value ≤ 0")
+        path = [x for node in {a, b} if not isinstance(node, Point) for x in itertools.chain(*node.tangents)]
+        for v, w, x in itertools.product(one, two, path):
+            holds = dot(q, w) * dot(v, x) + dot(p, v) * dot(w, x) > 0
+            require(holds, "expected ((q·w)v + (p·v)w)·x > 0, found a value ≤ 0")
+
+    def pedal(self, a, b, z1, z2, r, l, m):
+        require(self.lower is not None, "expected no 'pedal' under lower_squared \"inf\"")
+        require(self.chain.dimension == 2, "expected a curve in the plane")
+        require(isinstance(a, Part) and isinstance(b, Part) and a is not b, "expected two different parts of pieces")
+        require(r > 0 and l and m, "expected r > 0 and l, m not 0")
+        require(l + m > 0 and (l + m) ** 2 >= r * r * self.lower, "expected l+m > 0 and (l+m)² ≥ r²·lower_squared")
+        for node, bound in ((a, l), (b, m)):
+            x, y, w, dx, dy = node.columns(z1, z2, r)
+            cross = [f - g for f, g in zip(product(x, dy), product(y, dx))]
+            square = [f + g for f, g in zip(product(dx, dx), product(dy, dy))]
+            for f, g in zip(product(cross, cross), product(product(w, w), square)):
+                rest = f - bound * bound * g
+                require(rest >= 0 if bound > 0 else rest <= 0, f"the tangents' distances from z are not bounded by {bound}/r")
+        if l > 0 < m:
+            for p, q in itertools.product(*(zip(*node.columns(z1, z2, r, 1)[:2]) for node in (a, b))):
+                require(p[0] * q[0] + p[1] * q[1] <= 0, "expected (p−z)·(q−z) ≤ 0, found a value > 0")
+            return
+        inner, outer = (b, l) if l > 0 else (a, m)
+        for x, y, w in zip(*inner.columns(z1, z2, r, 1)[:3]):
+            require(x * x + y * y < (outer * w) ** 2, "expected a hull point nearer to z than the other part's tangents")
+
+
+def product(f, g):
+    """The product of two polynomials, all given by their Bernstein coefficients times the binomials of their degrees."""
+    h = [0] * (len(f) + len(g) - 1)
+    for (i, x), (j, y) in itertools.product(enumerate(f), enumerate(g)):
+        h[i + j] += x * y
+    return h

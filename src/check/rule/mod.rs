@@ -8,8 +8,10 @@ pub mod far;
 pub mod miranda;
 pub mod monotone;
 pub mod not_normal;
+pub mod pedal;
 pub mod root;
 pub mod separate;
+pub mod turn;
 
 use crate::number::Integer;
 

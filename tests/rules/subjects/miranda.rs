@@ -151,7 +151,11 @@ pub fn cases() -> Vec<Case> {
             rule(["1/2", "3/2"], ["25/8", "31/8"], [[-1, 0], [0, -1]], across(), 1),
         )
     };
-    cases.reject("corner-inside", &wide(wedge.clone()), expecting("miranda", "no corner inside"));
+    cases.reject(
+        "corner-inside",
+        &wide(wedge.clone()),
+        expecting("miranda", "no corner inside"),
+    );
     // In the other convention the chord from the corner to the roof counts: it is orthogonal to the sum of the corner's directions.
     cases.accept("corner-inside-critical", &wide(wedge).critical());
     // Where the curve goes down before and behind the corner, no chord to the roof is critical there.

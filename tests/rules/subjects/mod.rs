@@ -21,6 +21,7 @@ pub mod motion;
 pub mod nearest;
 pub mod not_normal;
 pub mod numbers;
+pub mod pedal;
 pub mod root;
 pub mod sandwich;
 pub mod separate;
@@ -29,6 +30,7 @@ pub mod text;
 pub mod thickness;
 pub mod touch;
 pub mod tree;
+pub mod turn;
 pub mod values;
 
 use serde_json::{Value, json};
@@ -44,6 +46,8 @@ pub fn all() -> Vec<(&'static str, fn() -> Vec<Case>)> {
         ("not_normal", not_normal::cases),
         ("cone", cone::cases),
         ("bend", bend::cases),
+        ("turn", turn::cases),
+        ("pedal", pedal::cases),
         ("miranda", miranda::cases),
         ("root", root::cases),
         ("touch", touch::cases),
