@@ -154,12 +154,28 @@ fn levels_in_space_and_of_empty_domains() {
     assert!(number(row(&json, "gkk09.1.measure"), "upper") < number(row(&json, "certified.domain.measure"), "lower"));
     // Levels 0 and 1 are empty, the domain is not.
     let late = curve("domain-quintic-late");
-    let asked = ["--point", "2", "--box", "1", "--sign", "+", "--levels", "3", "--json"];
+    let asked = ["--point", "2", "--box", "40", "--sign", "+", "--levels", "3", "--json"];
     let json = run([&["compare", late.as_str()][..], &asked].concat()).json();
-    let first = row(&json, "gkk09.0.measure");
-    assert_eq!((&first["lower"], &first["upper"]), (&"0".into(), &"0".into()));
-    assert!(row(&json, "gkk09.0.error")["lower"].is_null());
-    // Both curves are rational: the degree is the true one.
+    assert!(number(row(&json, "certified.domain.measure"), "lower") > 0.0);
+    for (level, why) in [(0, "there is no level before"), (1, "the level before is empty")] {
+        let measure = row(&json, &format!("gkk09.{level}.measure"));
+        assert_eq!((&measure["lower"], &measure["upper"]), (&"0".into(), &"0".into()));
+        assert_eq!(row(&json, &format!("gkk09.{level}.successive"))["remark"], why);
+        for key in ["own", "error"] {
+            let error = row(&json, &format!("gkk09.{level}.{key}"));
+            assert!(
+                error["lower"].is_null() && error["remark"] == "the level is empty",
+                "{error}"
+            );
+        }
+    }
+    assert_eq!(row(&json, "gkk09.2.successive")["remark"], "the level before is empty");
+    for level in [2, 3] {
+        let at = |key: &str| row(&json, &format!("gkk09.{level}.{key}"));
+        assert!(number(at("measure"), "lower") > 0.0);
+        assert!(number(at("error"), "upper") < number(at("own"), "upper"));
+    }
+    // Of a rational curve the degree is the true one.
     let arc = run([
         "compare",
         &curve("domain-nurbs-arc"),
