@@ -73,7 +73,7 @@ enum Command {
     #[cfg(feature = "prove")]
     Show(show::Arguments),
     #[cfg(feature = "prove")]
-    Compare(compare::Arguments),
+    Compare(Box<compare::Arguments>),
     Completions(completions::Arguments),
     Man(man::Arguments),
 }

@@ -2,7 +2,7 @@
 
 mod curvature;
 mod deviation;
-mod domain;
+pub mod domain;
 mod embedding;
 mod motion;
 mod motion_report;

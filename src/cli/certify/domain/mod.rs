@@ -84,13 +84,22 @@ pub struct Arguments {
 }
 
 #[derive(Clone, Copy, ValueEnum)]
-enum SignName {
+pub(in crate::cli) enum SignName {
     /// Greater than 0
     #[value(name = "+", alias = "plus")]
     Plus,
     /// Less than 0
     #[value(name = "-", alias = "minus")]
     Minus,
+}
+
+impl From<SignName> for Sign {
+    fn from(name: SignName) -> Sign {
+        match name {
+            SignName::Plus => Sign::Positive,
+            SignName::Minus => Sign::Negative,
+        }
+    }
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -103,17 +112,17 @@ enum DegreeName {
 
 /// Coordinates, as one argument.
 #[derive(Clone)]
-struct Coordinates(Vec<Rational>);
+pub(in crate::cli) struct Coordinates(pub Vec<Rational>);
 
-fn number(text: &str) -> Result<Rational, String> {
+pub(in crate::cli) fn number(text: &str) -> Result<Rational, String> {
     parse_number(text, Meaning::Decimal).map_err(|error| error.to_string())
 }
 
-fn coordinates(text: &str) -> Result<Coordinates, String> {
+pub(in crate::cli) fn coordinates(text: &str) -> Result<Coordinates, String> {
     text.split(',').map(number).collect::<Result<_, _>>().map(Coordinates)
 }
 
-fn tolerance(text: &str) -> Result<Rational, String> {
+pub(in crate::cli) fn tolerance(text: &str) -> Result<Rational, String> {
     let value = number(text)?;
     if value <= Rational::from_integer(0.into()) {
         return Err("expected a tolerance greater than 0".into());
@@ -231,10 +240,7 @@ impl Arguments {
         };
         let question = Question {
             point: self.point,
-            sign: self.sign.map(|sign| match sign {
-                SignName::Plus => Sign::Positive,
-                SignName::Minus => Sign::Negative,
-            }),
+            sign: self.sign.map(Sign::from),
             interval: self
                 .interval
                 .as_ref()
