@@ -49,7 +49,7 @@ fn exact_distance(one: &Curve, s: f64, two: &Curve, t: f64) -> f64 {
 
 #[test]
 fn shortest_double_normals_of_known_curves() {
-    // Certified values, docs/paper-notes.md and certs/accept.
+    // Certified values, docs/PAPERS.md and certs/accept.
     for (name, expected) in [
         ("mp06-figure-1", 0.442_675_170_376_606_6),
         ("trefoil-24", 1.081_040_191_529_21),
