@@ -34,6 +34,7 @@ mod evaluate;
 mod hodograph;
 mod homogeneous;
 mod insert;
+mod join;
 mod joint;
 mod operation;
 mod periodic;
@@ -49,6 +50,7 @@ pub use data::{Curve, Form};
 pub use error::{CurveError, CurveFault};
 pub use evaluate::{Side, bernstein};
 pub use hodograph::Hodograph;
+pub(crate) use join::align;
 pub use joint::Joint;
 pub use operation::OperationError;
 #[cfg(feature = "prove")]

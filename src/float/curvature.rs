@@ -11,13 +11,18 @@ const NOISE: f64 = 1e-22;
 /// First and second derivatives that are parallel up to this part of their lengths give no torsion.
 const PARALLEL: f64 = 1e-13;
 
+/// 2⁻⁹⁶.
+const ROUNDING: f64 = 1.0 / (1_u128 << 96) as f64;
+
 impl Curve {
     /// The curvature |c' × c''| / |c'|³, never negative, at the domain parameter `t`, from the given side where t is a knot.
     ///
     /// # Errors
-    /// [`FloatError::OutsideDomain`]; [`FloatError::Irregular`] where c' = 0; [`FloatError::Range`] when the result is not finite.
+    /// [`FloatError::OutsideDomain`]; [`FloatError::Irregular`] where c' is 0 or cannot be told from 0; [`FloatError::Range`] when the result is not
+    /// finite.
     pub fn curvature(&self, t: f64, side: Side) -> Result<f64, FloatError> {
         let all = self.double_derivatives(t, side, 2)?;
+        self.check_regular(t, side, &all)?;
         let (first, second) = (unit_scaled(&all[1])?, scaled(&all[2]));
         let (Some((second, second_exponent)), (first, first_exponent)) = (second, first) else {
             return Ok(0.0);
@@ -41,6 +46,7 @@ impl Curve {
             return Err(FloatError::Dimension);
         }
         let all = self.double_derivatives(t, side, 3)?;
+        self.check_regular(t, side, &all)?;
         let (first, first_exponent) = unit_scaled(&all[1])?;
         let (second, second_exponent) = unit_scaled(&all[2])?;
         let normal = cross(&first, &second);
@@ -57,6 +63,35 @@ impl Curve {
         }
         let value = (determinant / square).value();
         in_range(times_power(value, third_exponent - first_exponent - second_exponent))
+    }
+
+    /// Refuses a first derivative that may be rounding of 0: one below 2⁻⁹⁶ of the terms it is made of.
+    ///
+    /// c' = ((wc)' − w'c) / w, and (wc)' and w' are convex combinations of the differences of control points, times p over the length of the knots they
+    /// act on. The terms of those differences bound what rounding in double-double, at most 2⁻¹⁰⁰ a step, leaves of a sum that is 0.
+    fn check_regular(&self, t: f64, side: Side, derivatives: &[[Double; 3]]) -> Result<(), FloatError> {
+        let (k, p, d) = (self.span(t, side)?, self.degree, self.dimension);
+        let size = |vector: &[Double; 3]| vector.iter().fold(0.0, |most: f64, x| most.max(x.value().abs()));
+        let place = size(&derivatives[0]);
+        let term = |i: usize| {
+            let point = self.points[i * d..(i + 1) * d].iter();
+            let most = point.fold(0.0, |most: f64, x| most.max(x.abs()));
+            match &self.weights {
+                Some(weights) => weights[i] * (most + place),
+                None => most,
+            }
+        };
+        let terms = (k - p..k)
+            .map(|i| p as f64 / (self.knots[i + 1 + p] - self.knots[i + 1]) * (term(i) + term(i + 1)))
+            .fold(0.0, f64::max);
+        let weight = match &self.weights {
+            Some(_) => self.lifted_point(k, t)[3].value(),
+            None => 1.0,
+        };
+        if size(&derivatives[1]) <= ROUNDING * terms / weight {
+            return Err(FloatError::Irregular);
+        }
+        Ok(())
     }
 }
 

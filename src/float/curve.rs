@@ -3,7 +3,7 @@
 use super::double::Double;
 use super::error::FloatError;
 use crate::curve::{self, BSpline, Bezier, CurveError, CurveFault, Form, MAXIMUM_DEGREE, MAXIMUM_PIECES};
-use crate::number::{Integer, Rational, RationalVector};
+use crate::number::RationalVector;
 
 /// Magnitudes of coordinates, weights and knots lie within 2^±`EXPONENT`, so that their products neither overflow nor lose digits.
 const EXPONENT: i32 = 300;
@@ -119,26 +119,16 @@ impl Curve {
     }
 
     fn from_pieces(dimension: usize, pieces: &[Bezier]) -> Result<Curve, FloatError> {
-        let degree = pieces.iter().map(Bezier::degree).max().unwrap_or(1);
         let rational = pieces.iter().any(|piece| !piece.is_polynomial());
+        let (degree, aligned) = curve::align(pieces);
         let mut knots = vec![0.0; degree + 1];
         let (mut points, mut weights) = (Vec::new(), Vec::new());
-        let mut joint = Rational::from_integer(Integer::from(1));
-        for (i, piece) in pieces.iter().enumerate() {
+        for (i, aligned) in aligned.enumerate() {
             // To the degree asked for there is always a way: it is the greatest one of a valid piece.
-            let elevated = piece
-                .elevate(degree - piece.degree())
-                .map_err(|_| FloatError::Degree { degree })?;
+            let aligned = aligned.map_err(|_| FloatError::Degree { degree })?;
             let first = usize::from(i > 0);
-            points.extend_from_slice(&elevated.points().to_f64s()[first * dimension..]);
-            let own: Vec<Rational> = match elevated.weights() {
-                Some(weights) => weights.iter().collect(),
-                None => vec![Rational::from_integer(Integer::from(1)); degree + 1],
-            };
-            let factor = &joint / &own[0];
-            let scaled: Vec<Rational> = own.iter().map(|w| w * &factor).collect();
-            weights.extend_from_slice(&RationalVector::from_rationals(&scaled).to_f64s()[first..]);
-            joint = scaled[degree].clone();
+            points.extend_from_slice(&aligned.piece.points().to_f64s()[first * dimension..]);
+            weights.extend_from_slice(&RationalVector::from_rationals(&aligned.weights).to_f64s()[first..]);
             let last = i + 1 == pieces.len();
             knots.extend(std::iter::repeat_n((i + 1) as f64, degree + usize::from(last)));
         }

@@ -59,9 +59,22 @@ impl Curve {
 
     /// The derivatives of (wc, w) on span k: differences of control points over the knots they act on, summed by de Boor's algorithm. Unlike
     /// differences of the Bézier points of a span these stay accurate on spans of one unit in the last place.
-    fn lifted_derivatives(&self, k: usize, t: f64, order: usize) -> Vec<Lifted> {
+    pub(super) fn lifted_derivatives(&self, k: usize, t: f64, order: usize) -> Vec<Lifted> {
+        if self.degree < 8 {
+            self.lifted_derivatives_in(k, t, order, [[Double::ZERO; 4]; 8])
+        } else {
+            self.lifted_derivatives_in(k, t, order, [[Double::ZERO; 4]; MAXIMUM_DEGREE + 1])
+        }
+    }
+
+    fn lifted_derivatives_in<const SIZE: usize>(
+        &self,
+        k: usize,
+        t: f64,
+        order: usize,
+        mut coefficients: [Lifted; SIZE],
+    ) -> Vec<Lifted> {
         let p = self.degree;
-        let mut coefficients = [[Double::ZERO; 4]; MAXIMUM_DEGREE + 1];
         for (j, row) in coefficients[..=p].iter_mut().enumerate() {
             *row = self.lifted(k - p + j);
         }

@@ -19,6 +19,7 @@
 //! # Ok::<(), knotproof::float::FloatError>(())
 //! ```
 
+mod bezier_evaluator;
 mod bound;
 mod cassidy;
 mod convex_domain;
@@ -31,9 +32,12 @@ mod double;
 mod double_normal;
 mod elevate;
 mod error;
+mod evaluator;
 mod insert;
+mod locate;
 mod moore_peters;
 mod nearest;
+mod normals;
 mod perturbation;
 mod piece;
 mod point;
@@ -43,6 +47,7 @@ mod solid;
 mod span;
 mod split;
 mod starts;
+mod taylor;
 mod tree;
 
 #[cfg(test)]
@@ -50,17 +55,20 @@ mod generate;
 #[cfg(test)]
 mod search_tests;
 #[cfg(test)]
+mod starts_tests;
+#[cfg(test)]
 mod tests;
 
+pub use bezier_evaluator::BezierEvaluator;
 pub use cassidy::Estimate;
 pub use curve::Curve;
 pub use derivative::MAXIMUM_ORDER;
 pub use distance::Connection;
 pub use error::FloatError;
+pub use evaluator::Evaluator;
 pub use moore_peters::{Comparison, DoublyNormalTest, Found};
 pub use nearest::Nearest;
 pub use perturbation::{Drift, MovingPolygon};
-pub use point::Evaluator;
 pub use separation::Separation;
 pub use solid::ConvexSolid;
 pub use starts::{DoubleNormals, Starts};

@@ -16,13 +16,13 @@ fn config() -> ProptestConfig {
     }
 }
 
-fn file(name: &str) -> Curve {
+pub(super) fn file(name: &str) -> Curve {
     let path = format!("{}/certs/curves/{name}.json", root());
     let text = std::fs::read_to_string(path).unwrap();
     Curve::from_exact(&read_curve(text.as_bytes()).unwrap().curve).unwrap()
 }
 
-fn root() -> &'static str {
+pub(super) fn root() -> &'static str {
     env!("CARGO_MANIFEST_DIR")
 }
 
@@ -281,88 +281,6 @@ fn the_middle_of_a_circle() {
         circle.point(0.0).unwrap()[0].abs(),
         1e-15,
     );
-}
-
-#[test]
-fn delaunay_starts_find_the_shortest_double_normal() {
-    for name in [
-        "planar-degree-4",
-        "nurbs-ellipse",
-        "cpij14-experiment-1",
-        "unclamped-periodic",
-        "square",
-        "stadium",
-        "parabola",
-        "triangle",
-    ] {
-        let curve = file(name);
-        let few = curve.double_normals(Starts::Delaunay { samples: 8 }).unwrap();
-        let all = curve.double_normals(Starts::Grid { samples: 10 }).unwrap();
-        assert!(
-            10 * few.starts < 9 * all.starts,
-            "{name}: {} and {} starts",
-            few.starts,
-            all.starts
-        );
-        match (few.found.first(), all.found.first()) {
-            (Some(a), Some(b)) => close(a.distance, b.distance, 1e-13),
-            (a, b) => assert_eq!(a, b, "{name}"),
-        }
-    }
-    let space = file("trefoil-24").double_normals(Starts::Delaunay { samples: 8 });
-    assert_eq!(space, Err(FloatError::Dimension));
-}
-
-/// A random closed C¹ planar cubic around a circle: many strands face each other.
-fn wavy(random: &mut Random) -> Curve {
-    let count = 5 + random.below(8);
-    let knots = (0..count + 7).map(|k| k as f64).collect();
-    let mut points: Vec<f64> = (0..count)
-        .flat_map(|i| {
-            let (sin, cos) = (i as f64 * std::f64::consts::TAU / count as f64).sin_cos();
-            let radius = 1.0 + 0.9 * random.signed();
-            [radius * cos, radius * sin]
-        })
-        .collect();
-    points.extend_from_within(..6);
-    Curve::new(2, 3, knots, points, None).unwrap()
-}
-
-#[test]
-fn what_delaunay_starts_miss() {
-    let mut random = Random(11);
-    let curves: Vec<Curve> = (0..40).map(|_| wavy(&mut random)).collect();
-    let show = std::env::var("KNOTPROOF_SHOW_ERRORS").is_ok();
-    let shortest: Vec<f64> = curves
-        .iter()
-        .map(|curve| curve.minimum_separation().unwrap().unwrap().distance)
-        .collect();
-    let measure = |starts: Starts| {
-        let (mut count, mut found, mut missed) = (0, 0, 0);
-        for (curve, shortest) in curves.iter().zip(&shortest) {
-            let all = curve.double_normals(starts).unwrap();
-            let least = all.found.first().map_or(f64::INFINITY, |first| first.distance);
-            assert!(least >= shortest * (1.0 - 1e-12), "{least} {shortest}");
-            (count, found) = (count + all.starts, found + all.found.len());
-            missed += usize::from(least > shortest * (1.0 + 1e-9));
-        }
-        if show {
-            println!(
-                "{starts:?}: {count} starts, {found} double normals, the shortest missed on {missed} of 40 curves"
-            );
-        }
-        (count, missed)
-    };
-    if show {
-        for samples in [4, 8, 32, 64] {
-            measure(Starts::Delaunay { samples });
-        }
-        measure(Starts::Grid { samples: 40 });
-    }
-    let (few, missed) = measure(Starts::Delaunay { samples: 16 });
-    let (all, none) = measure(Starts::Grid { samples: 10 });
-    assert!(10 * few < all, "{few} and {all} starts");
-    assert!(missed <= 8 && none <= 8, "{missed} and {none} missed");
 }
 
 #[test]

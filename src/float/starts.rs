@@ -1,16 +1,10 @@
-//! Double normals by Newton's method from many starts: a grid on all pairs of pieces (Moore and Peters 2006), or, in the plane, the Delaunay edges of
-//! sample points.
-//!
-//! Samples that are Delaunay neighbours without being neighbours on the curve face each other across its medial axis: the dual of such an edge is a part of
-//! the Voronoi diagram, which tends to the medial axis as samples get denser (Amenta and Bern 1998). That gives about one start for each stretch of two
-//! strands that face each other, in place of a start for each pair of samples. A double normal with another strand between its ends has no such edge and is
-//! missed, now and then even the shortest one (`docs/float.md` has counts): these are good first guesses, not a search.
-
-use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
+//! Double normals by Newton's method from many starts: a grid on all pairs of pieces (Moore and Peters 2006), or, in the plane, the places where normals
+//! followed through a Delaunay triangulation of samples meet the curve nearly at right angles (`normals.rs`).
 
 use super::FloatError;
 use super::curve::Curve;
 use super::double_normal::{Location, find};
+use super::normals;
 use super::piece::{Pieces, middle};
 use super::separation::Separation;
 
@@ -22,9 +16,10 @@ pub enum Starts {
         /// The number n, 2 to 1,000.
         samples: usize,
     },
-    /// The Delaunay edges between sample points that are not neighbours on the curve; in the plane only.
+    /// The places where the normals of samples, followed through the Delaunay triangulation of all samples, meet the curve nearly at right angles; in the
+    /// plane only. `docs/float.md` says why none is missed where the samples are dense enough.
     Delaunay {
-        /// Samples of each piece, 2 to 1,000.
+        /// Least number of intervals of each piece, 1 to 1,000; more are made where the curve turns by more than 15° in one.
         samples: usize,
     },
 }
@@ -38,19 +33,6 @@ pub struct DoubleNormals {
     pub starts: usize,
 }
 
-/// A sample and its number along the curve.
-struct Sample {
-    position: Point2<f64>,
-    number: usize,
-}
-
-impl HasPosition for Sample {
-    type Scalar = f64;
-    fn position(&self) -> Point2<f64> {
-        self.position
-    }
-}
-
 impl Curve {
     /// The double normals that Newton's method finds from the given starts. There may be others.
     ///
@@ -62,7 +44,10 @@ impl Curve {
         let pairs = match starts {
             Starts::Grid { samples } => grid(&pieces, samples)?,
             Starts::Delaunay { .. } if self.dimension != 2 => return Err(FloatError::Dimension),
-            Starts::Delaunay { samples } => delaunay(&pieces, samples)?,
+            Starts::Delaunay { samples } => {
+                check(samples, 1)?;
+                normals::starts(&pieces, samples)?
+            }
         };
         let mut found = Vec::new();
         for (s, t) in &pairs {
@@ -106,17 +91,17 @@ impl Curve {
     }
 }
 
-fn check(samples: usize) -> Result<(), FloatError> {
-    if (2..=1_000).contains(&samples) {
+fn check(samples: usize, least: usize) -> Result<(), FloatError> {
+    if (least..=1_000).contains(&samples) {
         return Ok(());
     }
     Err(FloatError::Argument {
-        expected: "2 to 1,000 samples of a piece",
+        expected: "1, or for a grid 2, to 1,000 samples of a piece",
     })
 }
 
 fn grid(pieces: &Pieces, samples: usize) -> Result<Vec<(Location, Location)>, FloatError> {
-    check(samples)?;
+    check(samples, 2)?;
     let count = pieces.all.len() * (samples - 1);
     if count * count / 2 > 20_000_000 {
         return Err(FloatError::Argument {
@@ -126,35 +111,4 @@ fn grid(pieces: &Pieces, samples: usize) -> Result<Vec<(Location, Location)>, Fl
     let place = |i: usize| (i / (samples - 1), (i % (samples - 1) + 1) as f64 / samples as f64);
     let pairs = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j)));
     Ok(pairs.map(|(i, j)| (place(i), place(j))).collect())
-}
-
-fn delaunay(pieces: &Pieces, samples: usize) -> Result<Vec<(Location, Location)>, FloatError> {
-    check(samples)?;
-    let count = pieces.all.len() * samples;
-    // In the middle of each interval: no sample is a joint.
-    let place = |i: usize| {
-        (
-            i / samples,
-            (i % samples) as f64 / samples as f64 + 0.5 / samples as f64,
-        )
-    };
-    let all = (0..count)
-        .map(|number| {
-            let (piece, u) = place(number);
-            let [point, ..] = pieces.all[piece].evaluate(u);
-            let position = Point2::new(point[0], point[1]);
-            Sample { position, number }
-        })
-        .collect();
-    let range = FloatError::Range { place: "points" };
-    let triangulation = DelaunayTriangulation::<Sample>::bulk_load(all).map_err(|_| range)?;
-    let mut pairs = Vec::new();
-    for edge in triangulation.undirected_edges() {
-        let [a, b] = edge.vertices().map(|vertex| vertex.data().number);
-        let apart = a.abs_diff(b);
-        if apart > 1 && !(pieces.closed && apart == count - 1) {
-            pairs.push((place(a.min(b)), place(a.max(b))));
-        }
-    }
-    Ok(pairs)
 }

@@ -2,17 +2,14 @@
 
 use std::fmt::Write as _;
 
-use num_traits::{One, Zero};
-
 use super::condition::Condition;
 use super::truth::{About, Enclosed, MsdBounds, Truth};
 use crate::certificate::{Document, curve_sha256};
 use crate::claim::Claim;
 use crate::claim::msd::{Convention, Lower};
 use crate::claim::values::{Operation as ExactOperation, Outcome, Side};
-use crate::curve::{BSpline, Curve, Form};
 use crate::engine::{Case, CaseSide, FloatCurve, Operation};
-use crate::number::{Rational, RationalExt, RationalVector, sqrt_enclosure};
+use crate::number::{RationalExt, sqrt_enclosure};
 
 /// Bits of square roots.
 const ROOT_BITS: u32 = 90;
@@ -29,9 +26,10 @@ pub struct Certified {
 /// The cases of a document that the checker has accepted: of the claim `values` one an entry, with the id "`first 12 digits of curve_sha256`/`index`", of the claim
 /// `msd` (smooth convention, bounded on both sides) one with the id "…/msd".
 ///
-/// Nothing of other claims, of curves of several Bézier pieces, and of entries that are none any more once rounded to binary64.
+/// A chain of Bézier pieces is the one B-spline that it makes ([`to_spline`](crate::curve::Curve::to_spline)), on the same parameters: engines have no others. Knots and degree of that
+/// are no operations of the chain, and certificates have none of them. Nothing of other claims, and of entries that are none any more once rounded to binary64.
 pub fn certified(document: &Document) -> Vec<Certified> {
-    let Some(spline) = one_spline(&document.curve) else {
+    let Ok(spline) = document.curve.to_spline() else {
         return Vec::new();
     };
     let curve = FloatCurve::rounded(&spline);
@@ -83,27 +81,6 @@ pub fn certified(document: &Document) -> Vec<Certified> {
     }
 }
 
-/// A curve as one B-spline, when it is one or one Bézier piece.
-fn one_spline(curve: &Curve) -> Option<BSpline> {
-    let piece = match curve.form() {
-        Form::BSpline(spline) => return Some(spline.clone()),
-        Form::Bezier(pieces) => match pieces.as_slice() {
-            [piece] => piece,
-            _ => return None,
-        },
-    };
-    let mut knots = vec![Rational::zero(); piece.degree() + 1];
-    knots.extend(vec![Rational::one(); piece.degree() + 1]);
-    BSpline::new(
-        piece.dimension(),
-        piece.degree(),
-        RationalVector::from_rationals(&knots),
-        piece.points().clone(),
-        piece.weights().cloned(),
-    )
-    .ok()
-}
-
 fn side(side: Side) -> CaseSide {
     match side {
         Side::Left => CaseSide::Left,
@@ -151,7 +128,7 @@ fn rounded(operation: &ExactOperation) -> Option<Operation> {
             target: target.iter().map(RationalExt::to_f64).collect(),
         },
         ExactOperation::CurveDistance { other } => {
-            let other = FloatCurve::rounded(&one_spline(other)?);
+            let other = FloatCurve::rounded(&other.to_spline().ok()?);
             other.exact().ok()?;
             Operation::CurveDistance { other: Box::new(other) }
         }
@@ -177,7 +154,7 @@ fn truth(about: About<'_>, operation: &ExactOperation, outcome: &Outcome) -> Res
             distance(outcome, scale)
         }
         ExactOperation::CurveDistance { other } => {
-            let other = one_spline(other).ok_or("the other curve is not one B-spline")?;
+            let other = other.to_spline().map_err(|error| error.to_string())?;
             distance(outcome, scale.max(Condition::scale(&FloatCurve::rounded(&other))))
         }
     }

@@ -343,3 +343,36 @@ fn polytopes_of_convex_domains() {
         assert!(told.contains(part), "{vertices}: {told}");
     }
 }
+
+#[test]
+fn a_chain_makes_cases_as_one_spline() {
+    let folder = TempDir::new().expect("a folder");
+    let chain = folder.path().join("chain.json");
+    // Pieces of degrees 1, 2 and 3, one of them rational with other weights at its joints than its neighbours.
+    let pieces = r#"{ "knotproof": "curve/1", "bezier": { "pieces": [
+        { "points": [[0, 0], [3, 0]] },
+        { "points": [[3, 0], [5, 1], [3, 2]], "weights": [2, 1, 4] },
+        { "points": [[3, 2], [2, 3], [1, 1], [0, 2]] } ] } }"#;
+    fs::write(&chain, pieces).expect("written");
+    for command in [
+        &[
+            "values",
+            text(&chain),
+            "--ops",
+            "point,derivative,curvature,nearest_point",
+            "--target",
+            "1,5",
+        ][..],
+        &["msd", text(&chain)],
+    ] {
+        let (certificate, asked) = certificate_and_cases(folder.path(), command);
+        assert!(!asked.is_empty(), "{command:?}");
+        for case in &asked {
+            assert_eq!(
+                case["curve"]["knots"],
+                json!([0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 3])
+            );
+        }
+        run(["validate", "--engine", "knotproof-f64", &certificate]).expect(0);
+    }
+}

@@ -11,9 +11,9 @@ use std::path::PathBuf;
 
 use clap::Parser;
 use knotproof::curve::read_curve;
-use knotproof::engine::Case;
 use knotproof::engine::generate::{Options, float_curves, generate};
-use knotproof::validate::{Kind, Report, Tolerances, Truth, Verdict, Wrong};
+use knotproof::engine::{Case, Engine, FloatCurve, Operation, ResultEntry, ResultsFile};
+use knotproof::validate::{Kind, KnotproofF64, Report, Tolerances, Truth, Verdict, Wrong};
 use rayon::prelude::*;
 
 /// Runs engines on generated cases and reports what they get wrong.
@@ -31,6 +31,9 @@ struct Arguments {
     /// How many of those.
     #[arg(long, default_value_t = 240)]
     curve_count: usize,
+    /// How many cases about pairs of plane cubics on a small grid.
+    #[arg(long, default_value_t = 40)]
+    pair_count: usize,
     /// A command that answers a file of cases, run in the directory of the adapters; often.
     #[arg(long = "engine")]
     engines: Vec<String>,
@@ -55,8 +58,9 @@ pub struct Fault {
     pub wrong: Wrong,
 }
 
-/// Operation, way of being wrong, whether the curve is rational, whether its knots are unclamped.
-pub type Group = (&'static str, Kind, bool, bool);
+/// Operation, way of being wrong, whether the curve is rational, whether its knots are unclamped, whether it is about two cubic Bézier curves: those would
+/// all shrink to lines, and cubics are what drawings consist of.
+pub type Group = (&'static str, Kind, bool, bool, bool);
 
 /// One engine's report, and its faults.
 pub struct Found {
@@ -91,6 +95,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             case
         }));
     }
+    let pairs = Options {
+        seed: arguments.seed,
+        count: arguments.pair_count,
+        operations: vec!["curve_distance"],
+        curves: cubics(2 * arguments.pair_count),
+    };
+    if arguments.pair_count > 0 {
+        cases.extend(generate(&pairs).cases.into_iter().map(|mut case| {
+            case.id = format!("cubics-{}", case.id);
+            case
+        }));
+    }
     eprintln!("{} cases; their exact results …", cases.len());
     let truths: Vec<Truth> = cases.par_iter().map(truth).collect();
     let tolerances = Tolerances::default();
@@ -99,28 +115,51 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .enumerate()
         .map(|(i, case)| (case.id.as_str(), i))
         .collect();
-    let examine = |command: &String| -> Result<Found, String> {
-        let engine = run::Adapter::new(command, &arguments.adapters);
-        let results = engine.answers(&cases)?;
-        let report = Report::new(&cases, &results, &tolerances, |case| {
+    let judged = |results: &ResultsFile| -> Result<Report, String> {
+        let report = Report::new(&cases, results, &tolerances, |case| {
             truths[places[case.id.as_str()]].clone()
         })
-        .map_err(|unknown| format!("{command}: unknown id {}", unknown.id))?;
+        .map_err(|unknown| format!("{}: unknown id {}", results.engine, unknown.id))?;
         let total = report.total();
         eprintln!(
             "{}: {} right, {} wrong, {} refused, {} not offered, {} missing, {} unjudged",
             report.engine, total.right, total.wrong, total.refused, total.not_offered, total.missing, total.unjudged
         );
+        Ok(report)
+    };
+    let examine = |command: &String| -> Result<Found, String> {
+        let engine = run::Adapter::new(command, &arguments.adapters);
+        let report = judged(&engine.answers(&cases)?)?;
         let mut faults = faults(&cases, &report);
         shrink::shrink(&engine, &mut faults, &tolerances, arguments.rounds)?;
         eprintln!("{}: {} ways of being wrong", report.engine, faults.len());
         Ok(Found { report, faults })
     };
-    let found: Result<Vec<Found>, String> = arguments.engines.par_iter().map(examine).collect();
-    let found = found?;
+    let own = judged(&ResultsFile {
+        engine: KnotproofF64.name(),
+        results: cases
+            .iter()
+            .map(|case| ResultEntry {
+                id: case.id.clone(),
+                answer: KnotproofF64.answer(case),
+            })
+            .collect(),
+    })?;
+    let faults = faults(&cases, &own);
+    let mut found = vec![Found { report: own, faults }];
+    let others: Result<Vec<Found>, String> = arguments.engines.par_iter().map(examine).collect();
+    found.extend(others?);
     let page = page::page(&found, &cases, arguments.seed);
     std::fs::write(&arguments.output, page)?;
     Ok(())
+}
+
+/// Plane cubic Bézier curves with whole coordinates from 0 to 5: multiples of the golden ratio modulo 1, so that none is picked.
+fn cubics(count: usize) -> Vec<FloatCurve> {
+    let coordinate = |k: usize| (6.0 * (k as f64 * 0.618_033_988_749_894_9).fract()).floor();
+    let point = |k: usize| vec![coordinate(2 * k), coordinate(2 * k * k + 1)];
+    let curve = |i: usize| FloatCurve::bezier((4 * i + 1..4 * i + 5).map(point).collect(), None);
+    (0..count).map(curve).collect()
 }
 
 /// The ways of being wrong, each with the smallest of its cases.
@@ -156,5 +195,11 @@ pub fn group(case: &Case, wrong: &Wrong) -> Group {
         wrong.kind,
         case.curve.weights.is_some(),
         !case.curve.is_clamped(),
+        match &case.operation {
+            Operation::CurveDistance { other } => [&case.curve, other]
+                .iter()
+                .all(|curve| curve.degree == 3 && curve.is_bezier()),
+            _ => false,
+        },
     )
 }
