@@ -45,7 +45,16 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
     (
         "validate",
-        &["number", "curve", "claim", "certificate", "check", "engine", "float"],
+        &[
+            "number",
+            "polytope",
+            "curve",
+            "claim",
+            "certificate",
+            "check",
+            "engine",
+            "float",
+        ],
     ),
     ("show", &["number", "curve", "claim", "certificate", "check", "float"]),
     (

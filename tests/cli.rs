@@ -4,6 +4,9 @@
 #[path = "cli/atomic.rs"]
 mod atomic;
 #[cfg(feature = "prove")]
+#[path = "cli/batch.rs"]
+mod batch;
+#[cfg(feature = "prove")]
 #[path = "cli/certify.rs"]
 mod certify;
 #[path = "cli/check.rs"]

@@ -9,7 +9,7 @@ use std::io::Cursor;
 use common::case::certs;
 use common::document::{Certificate, field_of};
 use common::python;
-use common::tree::{Node, elements, pairs};
+use common::tree::leaf_ends as ends;
 use knotproof::certificate::Encoding;
 use knotproof::check::{Verdict, check};
 use knotproof::claim::msd::Upper;
@@ -153,30 +153,6 @@ fn threads_do_not_change_the_certificate() {
         pool.install(|| bytes(&mut embedded(&curve, "calpha-2000"), Encoding::Binary))
     });
     assert!(alone == together);
-}
-
-/// The ends of the leaves' nodes, in their order.
-fn ends(curve: &Curve, tokens: &[String]) -> Vec<Rational> {
-    let whole = |i: usize| Rational::from_integer(i.into());
-    let mut ends = Vec::new();
-    for (token, pair) in tokens.iter().zip(pairs(&elements(curve, false), tokens)) {
-        if !matches!(token.as_str(), "split" | "first" | "second") {
-            for node in pair {
-                match node {
-                    Node::Run(a, b) => ends.extend([whole(a), whole(b)]),
-                    Node::Part { piece, index, depth } => {
-                        let unit = Rational::new(1.into(), knotproof::number::Integer::from(1) << depth);
-                        let start = whole(piece) + Rational::from_integer((index as i64).into()) * &unit;
-                        ends.extend([start.clone(), start + unit]);
-                    }
-                    Node::Point(_) => unreachable!("no points in this convention"),
-                }
-            }
-        }
-    }
-    ends.sort();
-    ends.dedup();
-    ends
 }
 
 /// The control points of the curve between the ends of the leaves' nodes, equal neighbours once.

@@ -305,7 +305,13 @@ fn survives(format: Format, bytes: &[u8]) {
         },
     ] {
         match import_as(format, bytes, &options) {
-            Err(error) => assert!(!error.to_string().is_empty()),
+            Err(error) => {
+                // The reader of fonts finds no table, that of proteins names the chain; all others name line, entity, glyph or JSON path.
+                let whole = matches!(format, Format::Font) && error.message.starts_with("not a readable font")
+                    || matches!(format, Format::Pdb | Format::Mmcif) && error.message.starts_with("chain ");
+                assert!(error.place.is_some() || whole, "{format:?}: {error}");
+                assert!(!error.message.is_empty());
+            }
             Ok(imported) => {
                 for curve in imported.curves.iter().take(20) {
                     let text = write_curve(&curve.curve, Some(&curve.title()));

@@ -1,8 +1,6 @@
-//! Moving curves: motion files, and the numbers that CPIJ14 print.
+//! Moving curves: motion files, and what is certified of them. The numbers that CPIJ14 print: tests/papers.
 #![cfg(feature = "prove")]
 
-#[path = "motion/cpij14.rs"]
-mod cpij14;
 #[path = "motion/files.rs"]
 mod files;
 #[path = "motion/prover.rs"]

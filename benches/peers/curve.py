@@ -40,10 +40,15 @@ def exact(literal, numbers):
 
 
 def load(path):
-    """The chain of a curve file; weights must be equal, the peers know polynomial pieces only."""
+    """The chain of a curve file."""
     with open(path, encoding="utf-8") as file:
-        # Keep the literals: 0.1 stands for 1/10, not for the binary64 nearest to it.
-        document = json.load(file, parse_float=str, parse_int=str)
+        return read(file.read(), path)
+
+
+def read(text, path):
+    """The chain of the text of a curve file; weights must be equal, the peers know polynomial pieces only."""
+    # Keep the literals: 0.1 stands for 1/10, not for the binary64 nearest to it.
+    document = json.loads(text, parse_float=str, parse_int=str)
     if document.get("knotproof") != "curve/1":
         raise ValueError(f"{path}: not a curve/1 file")
     numbers = document.get("numbers", "decimal")

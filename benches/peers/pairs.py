@@ -24,12 +24,20 @@ class Found:
         self.all = len(chain) <= ALL
         self.normals = []
         self.pairs = 0
+        # All double normals are at least `lower` long, one is at most `upper`: kept by the peers that enclose.
+        self.lower = self.upper = inf
 
     def add(self, length, u, v):
         """Adds one; on a closed chain the last parameter is the first."""
         if self.closed:
             u, v = (0 * x if x >= self.pieces - 1e-9 else x for x in (u, v))
         self.normals.append((length, min(u, v), max(u, v)))
+
+    def enclose(self, lower, upper=None):
+        """Notes a region that may hold a double normal, of length at least `lower`; with `upper`, one is shown that is at most so long."""
+        self.lower = min(self.lower, lower)
+        if upper is not None:
+            self.upper = min(self.upper, upper)
 
     def shortest(self):
         """Length of the shortest so far."""

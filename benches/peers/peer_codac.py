@@ -13,6 +13,7 @@ PROVES = "boxes, each with one double normal; the regions discarded are not reco
 LEAST = 1e-9
 # Interval Newton is tried below this width.
 NEWTON = 0.05
+UNIT = Interval(0, 1)
 
 
 def enclosure(x):
@@ -100,6 +101,15 @@ def straight(derivative, ranges):
     return total.lb() > 0
 
 
+def distance(power, i, j, s, t):
+    """The length of the chord."""
+    square = Interval(0)
+    for a, b in zip(power[i], power[j]):
+        chord = horner(a, s) - horner(b, t)
+        square = square + chord * chord
+    return sqrt(square)
+
+
 def around(box, i, j, corners):
     """Parameter ranges that contain the box and connect its two points along the curve, or nothing."""
     if i == j:
@@ -116,8 +126,8 @@ def find(chain, prepared):
     undecided = boxes = 0
     width = 0.0
     for batch in batches(chain, found, size=64):
-        for i, j, distance in zip(*(column.tolist() for column in batch)):
-            if distance >= found.bound():
+        for i, j, apart in zip(*(column.tolist() for column in batch)):
+            if apart >= found.bound():
                 break
             function = equations(power, derivative, i, j)
             contractor = CtcInverse(function, [[0, 0], [0, 0]])
@@ -136,19 +146,18 @@ def find(chain, prepared):
                     solution = only_solution(function, box)
                     if isinstance(solution, IntervalVector):
                         s, t = solution[0], solution[1]
-                        square = Interval(0)
-                        for a, b in zip(power[i], power[j]):
-                            chord = horner(a, s) - horner(b, t)
-                            square = square + chord * chord
-                        length = sqrt(square)
-                        inside = all(x.intersects(Interval(0, 1)) for x in (s, t))
+                        length = distance(power, i, j, s, t)
+                        inside = all(x.intersects(UNIT) for x in (s, t))
                         if inside and (i != j or s.mid() < t.mid()):
                             found.add(length.mid(), i + s.mid(), j + t.mid())
+                            sure = all(x.is_subset(UNIT) for x in (s, t))
+                            found.enclose(length.lb(), length.ub() if sure else None)
                             width = max(width, length.diam())
                     if solution is not None:
                         continue
                 if box.max_diam() < LEAST:
                     undecided += 1
+                    found.enclose(distance(power, i, j, box[0], box[1]).lb())
                     continue
                 stack.extend(box.bisect_largest())
     found.note = f"{boxes} boxes, widths up to {width:.0e}" + (f", {undecided} undecided" if undecided else "")

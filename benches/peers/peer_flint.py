@@ -2,6 +2,7 @@
 ball arithmetic (arb), each double normal confirmed by an interval Newton step.
 """
 
+from fractions import Fraction
 from math import lcm
 
 from flint import arb, arb_poly, ctx, fmpz_mpoly_ctx, fmpz_poly
@@ -108,12 +109,12 @@ def confirmed(f, g, x):
 
 
 def solutions(f, g, corners):
-    """Common zeros in the unit square other than the trivial ones, and the number of those left unconfirmed."""
+    """Common zeros in the unit square other than the trivial ones, and the places where one was not confirmed."""
     eliminant = f.resultant(g, 1)
     if not eliminant:
         raise ValueError("the equations have a common factor")
     f, g = Equation(f), Equation(g)
-    found, unconfirmed = [], 0
+    found, unconfirmed = [], []
     for root, _ in univariate(eliminant).complex_roots():
         s = root.real
         if not root.imag.is_zero() or s < 0 or s > 1:
@@ -127,10 +128,16 @@ def solutions(f, g, corners):
                 continue
             balls = confirmed(f, g, (s, t))
             if balls is None:
-                unconfirmed += 1
+                unconfirmed.append((s, t))
             elif not any(x < 0 or x > 1 for x in balls):
                 found.append(balls)
     return found, unconfirmed
+
+
+def exact(ball):
+    """The number of a ball of radius 0."""
+    mantissa, exponent = ball.man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def find(chain, prepared):
@@ -144,12 +151,17 @@ def find(chain, prepared):
                 break
             f, g = equations(power[i], power[j], i == j)
             roots, doubtful = solutions(f, g, trivial_corners(chain, i, j))
-            unconfirmed += doubtful
-            for s, t in roots:
+            unconfirmed += len(doubtful)
+            for (s, t), sure in [(x, True) for x in roots] + [(x, False) for x in doubtful]:
                 if i == j and not s < t:
                     continue
                 chord = [fmpz_poly(p)(s) - fmpz_poly(q)(t) for p, q in zip(power[i], power[j])]
-                length = sum((x * x for x in chord), arb(0)).sqrt() / scale
-                found.add(length, i + s, j + t)
+                square = sum((x * x for x in chord), arb(0))
+                # A ball around a square may reach below 0.
+                low, high = ((end if end > 0 else arb(0)).sqrt() / scale for end in (square.lower(), square.upper()))
+                inside = all(x >= 0 and x <= 1 for x in (s, t))
+                found.enclose(exact(low.lower()), exact(high.upper()) if sure and inside else None)
+                if sure:
+                    found.add(low.union(high), i + s, j + t)
     found.note = f"{unconfirmed} solutions unconfirmed" if unconfirmed else ""
     return found

@@ -1,6 +1,4 @@
 //! Whatever the bytes, the checker answers, with a verdict or a reason.
-//!
-//! Run it with `cargo +nightly fuzz run check_certificate fuzz/corpus/check_certificate certs/accept`.
 #![no_main]
 
 use knotproof::check::{Verdict, check};
@@ -11,7 +9,9 @@ fuzz_target!(|bytes: &[u8]| {
     if bytes.len() > 1 << 14 {
         return;
     }
-    if let Verdict::Rejected { rejection, .. } = check(bytes) {
-        let _ = rejection.to_string();
+    match check(bytes) {
+        Verdict::Rejected { rejection, .. } => assert!(!rejection.to_string().is_empty()),
+        Verdict::Malformed(error) => assert!(!error.to_string().is_empty()),
+        Verdict::Accepted { .. } => {}
     }
 });

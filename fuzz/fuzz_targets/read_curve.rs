@@ -1,6 +1,4 @@
 //! Whatever the bytes, the reader returns; what it accepts has a chain and survives writing.
-//!
-//! Run it with `cargo +nightly fuzz run read_curve fuzz/corpus/read_curve certs/curves -- -dict=fuzz/curve.dict`.
 #![no_main]
 
 use knotproof::curve::{ReadOptions, read_curve, read_curve_with, write_curve};

@@ -30,7 +30,7 @@ pub struct Arguments {
     /// Ask what these certificates of the claims values and msd prove; entries whose curve or numbers do not survive rounding to binary64 are left out.
     #[arg(long, value_name = "CERT", num_args = 1.., conflicts_with_all = ["curves", "ops", "seed", "count"])]
     certificates: Vec<Input>,
-    /// Only these operations, separated by commas [default: all]
+    /// Only these operations, separated by commas [default: all but convex_domain]
     #[arg(long, value_name = "OPERATIONS", value_delimiter = ',', value_parser = clap::builder::PossibleValuesParser::new(GENERATED))]
     ops: Vec<String>,
     /// Write the cases to this file [default: standard output]

@@ -1,6 +1,9 @@
 //! `knotproof check`: replays certificates.
 
-use std::fmt::Write;
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use knotproof::certificate::{Document, FormatError, curve_sha256};
@@ -8,6 +11,8 @@ use knotproof::check::{Verdict, check};
 use knotproof::claim::Claim;
 use serde::Serialize;
 
+#[cfg(feature = "prove")]
+use super::batch::progress::Progress;
 use super::bounds::{Bounds, in_words, leaves_in_words};
 use super::curvature_words::{self, CurvatureLine};
 use super::deviation_words::{self, DeviationLine};
@@ -17,6 +22,7 @@ use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
 use super::motion_words::{self, MotionLine};
 use super::output::{complain, say, say_json};
+use super::pool::{self, guarded};
 #[cfg(feature = "import")]
 use super::reading::Reading;
 use super::thickness_words::{self, ThicknessLine};
@@ -27,11 +33,11 @@ use super::{Exit, Printing};
 ///
 /// The checker uses none of the code that finds evidence, and no floating-point numbers. An accepted statement is proved.
 ///
-/// For each file one line says whether its statement is proved. With several files the exit code is the worst: 2 when one
-/// cannot be read, else 1 when one is rejected, else 0.
+/// For each file one line says whether its statement is proved. Several files are checked at the same time, and a last line counts them; the exit code is the worst: 2 when
+/// one cannot be read, else 1 when one is rejected, else 0.
 #[derive(Args)]
 pub struct Arguments {
-    /// Certificates, JSON or binary; "-" is standard input.
+    /// Certificates, JSON or binary, and folders, of which the files that end in ".cert.json" or ".cert.bin" are taken; "-" is standard input.
     #[arg(value_name = "CERT", required = true)]
     certificates: Vec<Input>,
     /// Accept only certificates about exactly this curve.
@@ -43,6 +49,12 @@ pub struct Arguments {
     #[cfg(feature = "import")]
     #[command(flatten)]
     reading: Reading,
+    /// How many certificates are checked at the same time [default: one for each core]
+    #[arg(long, short, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
+    /// Write one JSON object for each file, as --json does, to this file.
+    #[arg(long, value_name = "FILE")]
+    jsonl: Option<PathBuf>,
     #[command(flatten)]
     printing: Printing,
 }
@@ -150,32 +162,115 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             Some(Wanted { file, sha256 })
         }
     };
+    let inputs = expand(&arguments.certificates)?;
+    let mut lines = match &arguments.jsonl {
+        None => None,
+        Some(path) => Some((path, File::create(path).map_err(|error| unwritable(path, &error))?)),
+    };
+    #[cfg(feature = "prove")]
+    let progress = Progress::new(inputs.len(), arguments.printing.quiet || inputs.len() == 1);
     let mut worst = Exit::Success;
-    for input in &arguments.certificates {
-        let (outcome, exit) = match judge(input, wanted.as_ref()) {
+    let mut counts = [0; 3];
+    let mut failure = None;
+    let work = |i: usize| guarded(|| judge(&inputs[i], wanted.as_ref()));
+    pool::in_order(inputs.len(), pool::workers(arguments.jobs), work, |i, judged| {
+        let judged = judged.unwrap_or_else(|panic| Err(Failure::at(&inputs[i], panic)));
+        let tell = || arguments.tell(&inputs[i], judged, lines.as_mut());
+        #[cfg(feature = "prove")]
+        let told = {
+            progress.done("checked");
+            progress.aside(tell)
+        };
+        #[cfg(not(feature = "prove"))]
+        let told = tell();
+        match told {
+            Ok(exit) => {
+                worst = worst.max(exit);
+                counts[usize::from(exit.code())] += 1;
+            }
+            Err(error) => {
+                failure.get_or_insert(error);
+            }
+        }
+    });
+    if let Some(failure) = failure {
+        return Err(failure);
+    }
+    let printing = arguments.printing;
+    if inputs.len() > 1 && !printing.json && !printing.quiet {
+        let [accepted, rejected, unreadable] = counts;
+        let count = inputs.len();
+        say(&format!(
+            "{count} files: {accepted} accepted, {rejected} rejected, {unreadable} not read\n"
+        ))?;
+    }
+    Ok(worst)
+}
+
+impl Arguments {
+    /// Tells what became of a file.
+    fn tell(
+        &self,
+        input: &Input,
+        judged: Result<Outcome, Failure>,
+        lines: Option<&mut (&PathBuf, File)>,
+    ) -> Result<Exit, Failure> {
+        let (outcome, exit) = match judged {
             Ok(outcome @ Outcome::Accepted { .. }) => (outcome, Exit::Success),
             Ok(outcome) => (outcome, Exit::Refuted),
             Err(failure) => {
                 complain(&failure);
-                (
-                    Outcome::Unreadable {
-                        error: failure.to_string(),
-                    },
-                    Exit::Unusable,
-                )
+                let error = failure.to_string();
+                (Outcome::Unreadable { error }, Exit::Unusable)
             }
         };
-        worst = worst.max(exit);
-        if arguments.printing.json {
-            say_json(&Line {
-                file: input.to_string(),
-                outcome: &outcome,
-            })?;
-        } else if !arguments.printing.quiet {
+        let line = Line {
+            file: input.to_string(),
+            outcome: &outcome,
+        };
+        if let Some((path, file)) = lines {
+            let mut text = serde_json::to_string(&line).map_err(|error| Failure::at(path.display(), error))?;
+            text.push('\n');
+            file.write_all(text.as_bytes())
+                .map_err(|error| unwritable(path, &error))?;
+        }
+        if self.printing.json {
+            say_json(&line)?;
+        } else if !self.printing.quiet {
             say(&outcome.for_people(input))?;
         }
+        Ok(exit)
     }
-    Ok(worst)
+}
+
+fn unwritable(path: &Path, error: &io::Error) -> Failure {
+    Failure::io(path.display(), "cannot be written", error)
+}
+
+/// Folders become the certificates in them.
+fn expand(given: &[Input]) -> Result<Vec<Input>, Failure> {
+    let mut inputs = Vec::new();
+    for input in given {
+        let Input::File(folder) = input else {
+            inputs.push(input.clone());
+            continue;
+        };
+        if !folder.is_dir() {
+            inputs.push(input.clone());
+            continue;
+        }
+        let certificates = input.files_in(folder)?.into_iter().filter(|path| {
+            let name = path.to_string_lossy();
+            name.ends_with(".cert.json") || name.ends_with(".cert.bin")
+        });
+        let before = inputs.len();
+        inputs.extend(certificates.map(Input::File));
+        if inputs.len() == before {
+            let what = "found no file in the folder that ends in .cert.json or .cert.bin";
+            return Err(Failure::at(input, what));
+        }
+    }
+    Ok(inputs)
 }
 
 fn judge(input: &Input, wanted: Option<&Wanted>) -> Result<Outcome, Failure> {
@@ -276,7 +371,8 @@ fn malformed(error: FormatError) -> Outcome {
     }
 }
 
-fn hexadecimal(bytes: &[u8]) -> String {
+/// Bytes as hexadecimal digits.
+pub fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().fold(String::new(), |mut text, byte| {
         let _ = write!(text, "{byte:02x}");
         text

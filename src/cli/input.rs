@@ -2,9 +2,9 @@
 
 use std::ffi::OsString;
 use std::fmt;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use knotproof::curve::{CurveFault, CurveFile, ReadFault, ReadOptions, read_curve_with};
 #[cfg(feature = "import")]
@@ -76,6 +76,20 @@ impl Input {
         Ok(bytes)
     }
 
+    /// The files in a folder, in the order of their names; not hidden ones, and not those of folders in it.
+    pub fn files_in(&self, folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+        let mut found = Vec::new();
+        for entry in fs::read_dir(folder).map_err(|error| self.unreadable(&error))? {
+            let entry = entry.map_err(|error| self.unreadable(&error))?;
+            let hidden = entry.file_name().to_string_lossy().starts_with('.');
+            if !hidden && entry.path().is_file() {
+                found.push(entry.path());
+            }
+        }
+        found.sort();
+        Ok(found)
+    }
+
     /// Reads it as a curve file, or as a file of another format that holds one curve.
     pub fn read_curve(&self, snap_joints: bool) -> Result<CurveFile, Failure> {
         #[cfg(feature = "import")]
@@ -99,7 +113,8 @@ impl Input {
         }
     }
 
-    fn curve_file(&self, bytes: &[u8], snap_joints: bool) -> Result<CurveFile, Failure> {
+    /// Reads its bytes as a curve file.
+    pub fn curve_file(&self, bytes: &[u8], snap_joints: bool) -> Result<CurveFile, Failure> {
         read_curve_with(bytes, ReadOptions { snap_joints }).map_err(|error| {
             let hint = match &error.fault {
                 ReadFault::Curve(CurveFault::Gap) => {

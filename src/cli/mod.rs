@@ -2,6 +2,8 @@
 
 #[cfg(any(feature = "prove", feature = "import"))]
 mod atomic_file;
+#[cfg(feature = "prove")]
+mod batch;
 mod bounds;
 #[cfg(feature = "prove")]
 mod cases;
@@ -10,6 +12,7 @@ mod certify;
 mod check;
 #[cfg(feature = "prove")]
 mod compare;
+mod completions;
 mod curvature_words;
 mod deviation_words;
 mod domain_words;
@@ -18,8 +21,10 @@ mod failure;
 #[cfg(feature = "import")]
 mod import;
 mod input;
+mod man;
 mod motion_words;
 mod output;
+mod pool;
 #[cfg(feature = "import")]
 mod reading;
 #[cfg(feature = "prove")]
@@ -31,7 +36,10 @@ mod values_words;
 
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
+
+/// The program's name.
+const NAME: &str = "knotproof";
 
 const EXIT_CODES: &str = "Exit codes: 0 proved or accepted, 1 refuted or rejected, 2 wrong usage or a file that cannot be \
 read or written, 3 undecided.";
@@ -42,7 +50,7 @@ Exit codes: 0 accepted, 1 rejected, 2 wrong usage or a file that cannot be read.
 
 /// Exact spline geometry with certificates.
 #[derive(Parser)]
-#[command(name = "knotproof", version, about, after_help = EXIT_CODES)]
+#[command(name = NAME, version, about, after_help = EXIT_CODES)]
 #[cfg_attr(not(feature = "prove"), command(after_help = CHECKER_ALONE))]
 struct Arguments {
     #[command(subcommand)]
@@ -53,6 +61,8 @@ struct Arguments {
 enum Command {
     #[cfg(feature = "prove")]
     Certify(certify::Arguments),
+    #[cfg(feature = "prove")]
+    Batch(batch::Arguments),
     Check(check::Arguments),
     #[cfg(feature = "import")]
     Import(import::Arguments),
@@ -63,7 +73,9 @@ enum Command {
     #[cfg(feature = "prove")]
     Show(show::Arguments),
     #[cfg(feature = "prove")]
-    Compare(compare::Arguments),
+    Compare(Box<compare::Arguments>),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 /// What every subcommand prints.
@@ -91,23 +103,42 @@ enum Exit {
     Undecided,
 }
 
-impl From<Exit> for ExitCode {
-    fn from(exit: Exit) -> ExitCode {
-        ExitCode::from(match exit {
+impl Exit {
+    /// The exit code.
+    fn code(self) -> u8 {
+        match self {
             Exit::Success => 0,
             Exit::Refuted => 1,
             Exit::Unusable => 2,
             #[cfg(feature = "prove")]
             Exit::Undecided => 3,
-        })
+        }
     }
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> ExitCode {
+        ExitCode::from(exit.code())
+    }
+}
+
+/// The command line.
+fn command() -> clap::Command {
+    Arguments::command()
 }
 
 /// Parses the arguments, runs the subcommand, prints an error if there is one.
 pub fn run() -> ExitCode {
-    let outcome = match Arguments::parse().command {
+    let matches = command().get_matches();
+    let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let outcome = match arguments.command {
         #[cfg(feature = "prove")]
-        Command::Certify(arguments) => certify::run(arguments),
+        Command::Certify(arguments) => match matches.subcommand() {
+            Some((_, matches)) => certify::run(arguments, matches),
+            None => Ok(Exit::Unusable),
+        },
+        #[cfg(feature = "prove")]
+        Command::Batch(arguments) => batch::run(arguments),
         Command::Check(arguments) => check::run(&arguments),
         #[cfg(feature = "import")]
         Command::Import(arguments) => import::run(&arguments),
@@ -119,6 +150,8 @@ pub fn run() -> ExitCode {
         Command::Show(arguments) => show::run(&arguments),
         #[cfg(feature = "prove")]
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Completions(arguments) => completions::run(&arguments),
+        Command::Man(arguments) => man::run(&arguments),
     };
     outcome
         .unwrap_or_else(|failure| {

@@ -96,7 +96,9 @@ impl Reading {
             last => {
                 imported.curves.extend(last);
                 let found = names(&imported.curves);
-                let what = format!("found {found}, expected one; choose it by --select NAME_OR_NUMBER");
+                let what = format!(
+                    "found {found}, expected one; choose it by --select NAME_OR_NUMBER (certify takes all with --all)"
+                );
                 return Err(Failure::at(input, what));
             }
         };

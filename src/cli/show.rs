@@ -5,7 +5,7 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use knotproof::certificate;
+use knotproof::certificate::{self, Document};
 use knotproof::check::{Verdict, check};
 use knotproof::curve::read_curve;
 use knotproof::show::{Picture, Report, Scene, View, html, svg};
@@ -85,7 +85,8 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             return Ok(Exit::Refuted);
         }
     };
-    let text = subject.draw(arguments, target.as_ref().map_or(Form::Svg, |(_, form)| *form), &bytes);
+    let form = target.as_ref().map_or(Form::Svg, |(_, form)| *form);
+    let text = subject.draw(arguments.title.as_deref(), &arguments.view, form, &bytes);
     let Some((target, _)) = target else {
         say(&text)?;
         return Ok(Exit::Success);
@@ -149,20 +150,44 @@ fn subject(input: &Input, bytes: &[u8]) -> Result<Result<Subject, String>, Failu
             }));
         }
     };
-    let (_, mut tokens) = certificate::read(bytes).map_err(|error| Failure::at(input, error))?;
-    let stated = statement(&document);
+    let name = name(document.name.as_ref());
+    Ok(Ok(
+        of_certificate(name, &document, bytes).map_err(|what| Failure::at(input, what))?
+    ))
+}
+
+/// The subject of a certificate that was accepted.
+fn of_certificate(name: String, document: &Document, bytes: &[u8]) -> Result<Subject, String> {
+    let (_, mut tokens) = certificate::read(bytes).map_err(|error| error.to_string())?;
+    let stated = statement(document);
     let mut lines = vec![format!("Proved: {}.", stated.words())];
-    let exact = serde_json::to_value(&stated).map_err(|error| Failure::at(input, error))?;
+    let exact = serde_json::to_value(&stated).map_err(|error| error.to_string())?;
     let mut fields = Vec::new();
     flatten("", &exact, &mut fields);
     lines.push(format!("In numbers: {}.", fields.join(", ")));
-    Ok(Ok(Subject {
-        name: name(document.name.as_ref()),
-        scene: Scene::of_certificate(&document, &mut tokens),
+    Ok(Subject {
+        name,
+        scene: Scene::of_certificate(document, &mut tokens),
         statement: lines,
         is_certificate: true,
         binary: bytes.starts_with(b"KNOTCRT1"),
-    }))
+    })
+}
+
+/// A drawing, and a report if it is wanted, of a certificate that was accepted.
+pub fn drawings(
+    title: &str,
+    document: &Document,
+    bytes: &[u8],
+    report: bool,
+) -> Result<(String, Option<String>), String> {
+    let subject = || of_certificate(title.into(), document, bytes);
+    let picture = subject()?.draw(None, &[], Form::Svg, bytes);
+    let report = match report {
+        true => Some(subject()?.draw(None, &[], Form::Html, bytes)),
+        false => None,
+    };
+    Ok((picture, report))
 }
 
 /// Field names with their values, nested ones with a point.
@@ -185,11 +210,11 @@ fn flatten(prefix: &str, value: &serde_json::Value, fields: &mut Vec<String>) {
 }
 
 impl Subject {
-    fn draw(self, arguments: &Arguments, form: Form, bytes: &[u8]) -> String {
-        let title = arguments.title.clone().unwrap_or(self.name);
+    fn draw(self, title: Option<&str>, views: &[View], form: Form, bytes: &[u8]) -> String {
+        let title = title.map_or(self.name, String::from);
         match form {
             Form::Svg => {
-                let views = match &arguments.view[..] {
+                let views = match views {
                     [] => View::usual(self.scene.dimension),
                     views => views.to_vec(),
                 };

@@ -11,6 +11,7 @@ use crate::curve::Chain;
 use crate::number::{Integer, Rational, sqrt_enclosure};
 
 const CPJ12: &str = "CPJ12";
+const CPIJ14: &str = "CPIJ14";
 const BEFORE: &str = "before CPJ12";
 /// Why there is no number of subdivisions.
 const NOTHING: &str = "the polygon is the curve: the formula takes log 0";
@@ -63,6 +64,15 @@ pub(super) fn rows(chain: &Chain, options: &Options, certified: &Certified) -> R
         rows.push(none.remark("the polygon has too many edges"));
     }
     predecessor_rows(chain, &printed, &mut rows).map_err(CompareError::Tolerance)?;
+    for (key, norm, plan) in [
+        ("cpij14.tolerance", "∞-norm", &printed),
+        ("cpij14.tolerance_euclidean", "Euclidean", &euclidean),
+    ] {
+        let quantity = format!("display tolerance before any move, {norm}");
+        let value = Value::root(plan.bounds.distance_squared.clone());
+        let row = Row::new(CPIJ14, key, quantity, value, Standing::Proved);
+        rows.push(row.remark("points may move by ε_d less this while second differences do not grow"));
+    }
     Ok(Polygonal { rows, subdivisions })
 }
 

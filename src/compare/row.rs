@@ -1,5 +1,7 @@
 //! One number of one method.
 
+use std::borrow::Cow;
+
 use crate::number::{Rational, decimal_down, decimal_up, interval_digits, sqrt_decimal_down, sqrt_decimal_up};
 
 /// Digits of a number that stands alone.
@@ -18,8 +20,12 @@ pub enum Standing {
     Proved,
     /// A statement about the curve that the checker accepted.
     Certified,
+    /// Enclosed by another program with outward rounding; nothing is left to check.
+    Interval,
     /// Computed in binary64, with rounding; not proved.
     Binary64,
+    /// A time.
+    Measured,
     /// Not told.
     Undecided,
 }
@@ -32,7 +38,9 @@ impl Standing {
             Standing::Printed => "as printed",
             Standing::Proved => "proved",
             Standing::Certified => "certified",
+            Standing::Interval => "interval",
             Standing::Binary64 => "binary64",
+            Standing::Measured => "measured",
             Standing::Undecided => "undecided",
         }
     }
@@ -61,25 +69,27 @@ impl Value {
         Value::RootBetween(squared.clone(), Some(squared))
     }
 
-    /// Decimals (lower, upper), rounded outward; "inf" for infinite ones.
+    /// Decimals (lower, upper), rounded outward; "inf" for infinite ones. Bounds have as many digits as it takes to tell them apart.
     pub fn decimals(&self) -> (Option<String>, Option<String>) {
+        self.decimals_with(match self {
+            Value::Between(lower, Some(upper)) | Value::RootBetween(lower, Some(upper)) => digits(lower, upper),
+            _ => DIGITS,
+        })
+    }
+
+    /// The same with so many digits.
+    pub fn decimals_with(&self, digits: usize) -> (Option<String>, Option<String>) {
         match self {
             Value::Count(count) => (Some(count.to_string()), Some(count.to_string())),
-            Value::Number(x) => (Some(decimal_down(x, DIGITS)), Some(decimal_up(x, DIGITS))),
-            Value::Between(lower, upper) => {
-                let digits = upper.as_ref().map_or(DIGITS, |upper| digits(lower, upper));
-                (
-                    Some(decimal_down(lower, digits)),
-                    upper.as_ref().map(|upper| decimal_up(upper, digits)),
-                )
-            }
-            Value::RootBetween(lower, upper) => {
-                let digits = upper.as_ref().map_or(DIGITS, |upper| digits(lower, upper));
-                (
-                    Some(sqrt_decimal_down(lower, digits)),
-                    upper.as_ref().map(|upper| sqrt_decimal_up(upper, digits)),
-                )
-            }
+            Value::Number(x) => (Some(decimal_down(x, digits)), Some(decimal_up(x, digits))),
+            Value::Between(lower, upper) => (
+                Some(decimal_down(lower, digits)),
+                upper.as_ref().map(|upper| decimal_up(upper, digits)),
+            ),
+            Value::RootBetween(lower, upper) => (
+                Some(sqrt_decimal_down(lower, digits)),
+                upper.as_ref().map(|upper| sqrt_decimal_up(upper, digits)),
+            ),
             Value::Infinite => (Some("inf".into()), Some("inf".into())),
             Value::None => (None, None),
         }
@@ -100,8 +110,8 @@ fn digits(lower: &Rational, upper: &Rational) -> usize {
 pub struct Row {
     /// Whose number it is: "CPJ12", "certified", ….
     pub method: &'static str,
-    /// A name for programs, the same in every comparison: "cpj12.m1", ….
-    pub key: &'static str,
+    /// A name for programs, the same in every comparison: "cpj12.m1", "gkk09.3.measure", ….
+    pub key: Cow<'static, str>,
     /// What it is a number of, for people.
     pub quantity: String,
     /// The number.
@@ -116,14 +126,14 @@ impl Row {
     /// A row without a remark.
     pub fn new(
         method: &'static str,
-        key: &'static str,
+        key: impl Into<Cow<'static, str>>,
         quantity: impl Into<String>,
         value: Value,
         standing: Standing,
     ) -> Row {
         Row {
             method,
-            key,
+            key: key.into(),
             quantity: quantity.into(),
             value,
             standing,

@@ -83,14 +83,22 @@ pub enum Operation {
     },
     /// The length of the shortest double normal of the curve, smooth convention.
     Msd,
-    /// The convex domain of a control point: where it can be put so that the planar curve stays convex, inside a box.
+    /// The convex domain of a control point after a number of subdivisions: where it can be put, inside a box, so that all Bernstein coefficients of the
+    /// sign of curvature (in the plane) or torsion (in space) are at least 0.
     ConvexDomain {
         /// The index of the control point.
         point: usize,
         /// Half the width of the box around its place.
         half_width: f64,
+        /// How often every span is halved, at most [`MOST_LEVELS`].
+        level: u32,
+        /// The sign: greater than 0, or less.
+        positive: bool,
     },
 }
+
+/// The last level of a convex domain.
+pub const MOST_LEVELS: u32 = 16;
 
 /// The names of all operations.
 pub const OPERATIONS: [&str; 13] = [

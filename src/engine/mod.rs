@@ -26,7 +26,7 @@ mod read;
 mod write;
 
 pub use answer::{Answer, ResultEntry, ResultsFile, Returned};
-pub use case::{Case, CaseSide, CasesFile, OPERATIONS, Operation};
+pub use case::{Case, CaseSide, CasesFile, MOST_LEVELS, OPERATIONS, Operation};
 pub use curve::FloatCurve;
 pub use error::FileError;
 pub use read::{MOST_ENTRIES, read_cases, read_results};

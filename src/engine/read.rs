@@ -7,8 +7,8 @@ use serde::de::{DeserializeOwned, Error, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::{
-    Answer, CASES_VERSION, Case, CaseSide, CasesFile, FileError, FloatCurve, OPERATIONS, Operation, RESULTS_VERSION,
-    ResultEntry, ResultsFile, Returned,
+    Answer, CASES_VERSION, Case, CaseSide, CasesFile, FileError, FloatCurve, MOST_LEVELS, OPERATIONS, Operation,
+    RESULTS_VERSION, ResultEntry, ResultsFile, Returned,
 };
 use crate::curve::MAXIMUM_DEGREE;
 use crate::number::{Meaning, Rational, RationalExt, parse_number};
@@ -47,6 +47,18 @@ struct RawCase {
     point: Option<usize>,
     #[serde(default, rename = "box")]
     half_width: Option<f64>,
+    #[serde(default)]
+    level: Option<u32>,
+    #[serde(default)]
+    sign: Option<Sign>,
+}
+
+#[derive(Deserialize, Clone, Copy, PartialEq)]
+enum Sign {
+    #[serde(rename = "+")]
+    Positive,
+    #[serde(rename = "-")]
+    Negative,
 }
 
 #[derive(Deserialize)]
@@ -281,6 +293,8 @@ fn case(raw: RawCase) -> Result<Case, FileError> {
         ("other", raw.other.is_some()),
         ("point", raw.point.is_some()),
         ("box", raw.half_width.is_some()),
+        ("level", raw.level.is_some()),
+        ("sign", raw.sign.is_some()),
     ];
     let wanted: &[&str] = match raw.operation.as_str() {
         "point" | "split" => &["parameter"],
@@ -291,7 +305,7 @@ fn case(raw: RawCase) -> Result<Case, FileError> {
         "decompose" | "msd" => &[],
         "nearest_point" => &["target"],
         "curve_distance" => &["other"],
-        "convex_domain" => &["point", "box"],
+        "convex_domain" => &["point", "box", "level", "sign"],
         other => {
             let what = format!("found {other:?}, expected one of {}", OPERATIONS.join(", "));
             return Err(FileError::new("operation", what));
@@ -369,7 +383,21 @@ fn case(raw: RawCase) -> Result<Case, FileError> {
                     format!("found {half_width}, expected a positive number"),
                 ));
             }
-            Operation::ConvexDomain { point, half_width }
+            let level = raw.level.unwrap_or_default();
+            if level > MOST_LEVELS {
+                let what = format!("found {level}, expected a number from 0 to {MOST_LEVELS}");
+                return Err(FileError::new("level", what));
+            }
+            if curve.degree < exact.dimension() {
+                let what = format!("found {}, expected at least {}", curve.degree, exact.dimension());
+                return Err(FileError::new("curve.degree", what));
+            }
+            Operation::ConvexDomain {
+                point,
+                half_width,
+                level,
+                positive: raw.sign == Some(Sign::Positive),
+            }
         }
     };
     Ok(Case {

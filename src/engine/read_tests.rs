@@ -31,11 +31,24 @@ fn every_operation_is_read_and_written_back() {
         r#""operation":"nearest_point","target":[1,-0.5]"#,
         r#""operation":"curve_distance","other":{"degree":1,"knots":[0,0,1,1],"points":[[0,3],[2,3]],"weights":[1,2]}"#,
         r#""operation":"msd""#,
-        r#""operation":"convex_domain","point":1,"box":0.25"#,
     ] {
         let read = one_case(fields).unwrap_or_else(|error| panic!("{fields}: {error}"));
         assert_eq!(read_cases(write_cases(&read)), Ok(read), "{fields}");
     }
+}
+
+#[test]
+fn a_convex_domain_is_read_and_written_back() {
+    let text = r#"{"knotproof":"cases/1","seed":7,"cases":[
+{"id":"a","operation":"convex_domain","point":1,"box":0.25,"level":3,"sign":"-","curve":{"degree":2,"knots":[0,0,0,1,1,1],"points":[[0,0],[2,1],[3,0]]}}
+]}
+"#;
+    let read = read_cases(text).expect("a case");
+    let Operation::ConvexDomain { level, positive, .. } = read.cases[0].operation else {
+        panic!("{read:?}");
+    };
+    assert_eq!((level, positive), (3, false));
+    assert_eq!(read_cases(write_cases(&read)), Ok(read));
 }
 
 #[test]
@@ -75,14 +88,34 @@ fn faults_of_cases_are_told_with_their_path() {
             "expected 2",
         ),
         (
-            r#""operation":"convex_domain","point":2,"box":1"#,
+            r#""operation":"convex_domain","point":2,"box":1,"level":0,"sign":"+""#,
             "cases[0].point",
             "below 2",
         ),
         (
-            r#""operation":"convex_domain","point":1,"box":0"#,
+            r#""operation":"convex_domain","point":1,"box":0,"level":0,"sign":"+""#,
             "cases[0].box",
             "positive",
+        ),
+        (
+            r#""operation":"convex_domain","point":1,"box":1,"level":17,"sign":"-""#,
+            "cases[0].level",
+            "0 to 16",
+        ),
+        (
+            r#""operation":"convex_domain","point":1,"box":1,"level":1,"sign":"-""#,
+            "cases[0].curve.degree",
+            "at least 2",
+        ),
+        (
+            r#""operation":"convex_domain","point":1,"box":1,"level":1,"sign":"0""#,
+            "cases[0].sign",
+            "variant",
+        ),
+        (
+            r#""operation":"convex_domain","point":1,"box":1,"sign":"+""#,
+            "cases[0].level",
+            "missing",
         ),
         (r#""operation":"msd","colour":1"#, "cases[0].colour", "colour"),
         (

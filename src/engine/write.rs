@@ -68,6 +68,10 @@ struct CaseOut<'a> {
     point: Option<usize>,
     #[serde(rename = "box", skip_serializing_if = "Option::is_none")]
     half_width: Option<Number>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    level: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sign: Option<&'static str>,
     curve: Option<CurveOut>,
     #[serde(skip_serializing_if = "Option::is_none")]
     other: Option<CurveOut>,
@@ -92,9 +96,16 @@ fn case(case: &Case) -> CaseOut<'_> {
         | Operation::ElevateDegree { times } => out.times = Some(*times),
         Operation::NearestPoint { target } => out.target = Some(numbers(target)),
         Operation::CurveDistance { other } => out.other = Some(other.as_ref().into()),
-        Operation::ConvexDomain { point, half_width } => {
+        Operation::ConvexDomain {
+            point,
+            half_width,
+            level,
+            positive,
+        } => {
             out.point = Some(*point);
             out.half_width = Some(Number(*half_width));
+            out.level = Some(*level);
+            out.sign = Some(if *positive { "+" } else { "-" });
         }
         Operation::Point { .. } | Operation::Split { .. } | Operation::Decompose | Operation::Msd => {}
     }

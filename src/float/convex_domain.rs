@@ -1,15 +1,33 @@
-//! Where a control point of a planar curve may be so that its curvature keeps one sign: polygons of Ginnis, Karousos and Kaklis (2009) in binary64.
+//! Where a control point may be so that curvature or torsion keeps one sign: polygons and polyhedra of Ginnis, Karousos and Kaklis (2009) in binary64.
 //!
-//! The sign of the curvature is that of h_t(d), which is affine in the free point d. After ℓ midpoint subdivisions its Bernstein coefficients are half-planes
+//! The sign is that of h_t(d), which is affine in the free point d. After ℓ midpoint subdivisions its Bernstein coefficients are half-planes, or half-spaces,
 //! whose intersection lies inside the domain and grows with ℓ. The coefficients are those of the true degree (`docs/domain.md`).
+//!
+//! Every row carries a bound of its rounding errors. Nothing is cut off by less than that, and what is left must have a point that satisfies all rows by more.
 
 use super::FloatError;
 use super::curve::Curve;
 use super::piece::{Homogeneous, Pieces, binomials, middle};
+use super::solid::{ConvexSolid, Cut};
 use super::tree::halve;
 
-/// A half-plane a·x + b·y + c ≥ 0.
-type Row = [f64; 3];
+/// A half-space n·q + c ≥ 0 of points q relative to the free point: n (of three coordinates), c, and what its rounding errors are relative to.
+pub(super) type Row = [f64; 5];
+
+/// Rounding errors of a row are below this part of its last number: some ten operations in a determinant, a difference quotient for each axis, and one
+/// mean a level.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+const MOST_ROWS: usize = 4_000_000;
+
+/// The value of a row.
+pub(super) fn value(row: &Row, q: &[f64; 3]) -> f64 {
+    row[0] * q[0] + row[1] * q[1] + row[2] * q[2] + row[3]
+}
+
+/// How far the value of a row may be off.
+pub(super) fn error(row: &Row) -> f64 {
+    ROUNDING * row[4]
+}
 
 impl Curve {
     /// The polygon of level `level` (0 to 16) for control point `index`, within the square of half width `half_width` about the point's present position:
@@ -17,7 +35,7 @@ impl Curve {
     ///
     /// # Errors
     /// [`FloatError::Dimension`] in space; [`FloatError::Argument`] for an index, level or width out of range, or a degree of 1;
-    /// [`FloatError::Budget`] for more than 4,000,000 half-planes.
+    /// [`FloatError::Doubtful`] where rounding leaves open whether the polygon has an interior; [`FloatError::Budget`] for more than 4,000,000 half-planes.
     pub fn convex_domain(
         &self,
         index: usize,
@@ -25,59 +43,99 @@ impl Curve {
         level: u32,
         positive: bool,
     ) -> Result<Vec<[f64; 2]>, FloatError> {
-        if self.dimension != 2 {
-            return Err(FloatError::Dimension);
-        }
-        if index >= self.count() || level > 16 || !(half_width > 0.0 && half_width < 2f64.powi(300)) || self.degree < 2
-        {
-            return Err(FloatError::Argument {
-                expected: "a control point, a level of at most 16, a positive width, a degree of at least 2",
-            });
-        }
-        let center = [self.points[2 * index], self.points[2 * index + 1]];
+        let rows = self.rows::<2>(index, half_width, level, positive)?;
         let w = half_width;
-        // Relative to the middle of the curve, where rounding is least.
-        let origin = middle(self);
-        let (x, y) = (center[0] - origin[0], center[1] - origin[1]);
-        let mut polygon = vec![[x - w, y - w], [x + w, y - w], [x + w, y + w], [x - w, y + w]];
-        for row in self.rows(index, w, level, if positive { 1.0 } else { -1.0 })? {
-            polygon = clip(&polygon, &row);
+        let mut polygon = vec![[-w, -w, 0.0], [w, -w, 0.0], [w, w, 0.0], [-w, w, 0.0]];
+        for row in &rows {
+            polygon = clip(polygon, row);
             if polygon.is_empty() {
-                break;
+                return Ok(Vec::new());
             }
         }
-        Ok(polygon.iter().map(|p| [p[0] + origin[0], p[1] + origin[1]]).collect())
+        certain(&polygon, &rows)?;
+        let center = [self.points[2 * index], self.points[2 * index + 1]];
+        Ok(polygon.iter().map(|q| [q[0] + center[0], q[1] + center[1]]).collect())
     }
 
-    /// The half-planes, relative to the middle of the curve.
-    fn rows(&self, index: usize, unit: f64, level: u32, sign: f64) -> Result<Vec<Row>, FloatError> {
+    /// The same in space, where the sign is that of the torsion, within a cube. An empty polyhedron has no vertices.
+    ///
+    /// # Errors
+    /// As for [`Curve::convex_domain`]: [`FloatError::Dimension`] in the plane, [`FloatError::Argument`] for a degree below 3, and
+    /// [`FloatError::Doubtful`] also where rounding leaves open which edges a half-space cuts.
+    pub fn convex_domain_in_space(
+        &self,
+        index: usize,
+        half_width: f64,
+        level: u32,
+        positive: bool,
+    ) -> Result<ConvexSolid, FloatError> {
+        let rows = self.rows::<3>(index, half_width, level, positive)?;
+        let mut solid = ConvexSolid::cube(half_width);
+        for row in &rows {
+            match solid.cut(row) {
+                Cut::Done => {}
+                Cut::Empty => return Ok(ConvexSolid::default()),
+                Cut::Doubtful => return Err(FloatError::Doubtful),
+            }
+        }
+        certain(&solid.vertices, &rows)?;
+        for q in &mut solid.vertices {
+            for axis in 0..3 {
+                q[axis] += self.points[3 * index + axis];
+            }
+        }
+        Ok(solid)
+    }
+
+    /// The rows of a level, without those that are 0 everywhere.
+    fn rows<const D: usize>(&self, index: usize, w: f64, level: u32, positive: bool) -> Result<Vec<Row>, FloatError> {
+        if self.dimension != D {
+            return Err(FloatError::Dimension);
+        }
+        if index >= self.count() || level > 16 || !(w > 0.0 && w < 2f64.powi(300)) || self.degree < D {
+            return Err(FloatError::Argument {
+                expected: "a control point, a level of at most 16, a positive width, a degree of at least 2 in the plane and 3 in space",
+            });
+        }
+        // Relative to the middle of the curve, where rounding is least.
         let origin = middle(self);
-        // h at the present point and a unit beside it on either axis gives the affine function.
-        let at = |dx: f64, dy: f64| {
+        let here = Pieces::new(self, &origin);
+        // h at the present point and a unit beside it on each axis gives the affine function.
+        let mut steps = [0.0; D];
+        let moved: [Pieces; D] = std::array::from_fn(|axis| {
             let mut moved = self.clone();
-            moved.points[2 * index] += dx;
-            moved.points[2 * index + 1] += dy;
-            (
-                Pieces::new(&moved, &origin),
-                [moved.points[2 * index], moved.points[2 * index + 1]],
-            )
-        };
-        let ((here, point), (right, beside), (up, above)) = (at(0.0, 0.0), at(unit, 0.0), at(0.0, unit));
-        let (x, y) = (point[0] - origin[0], point[1] - origin[1]);
-        let (dx, dy) = (beside[0] - point[0], above[1] - point[1]);
+            let x = &mut moved.points[D * index + axis];
+            *x += w;
+            steps[axis] = *x - self.points[D * index + axis];
+            Pieces::new(&moved, &origin)
+        });
+        if steps.iter().any(|step| *step <= 0.0) {
+            return Err(FloatError::Doubtful);
+        }
+        let sign = if positive { 1.0 } else { -1.0 };
         let mut rows = Vec::new();
         for (i, piece) in here.all.iter().enumerate() {
-            let own = determinant(&piece.control, piece.rational);
-            let one = determinant(&right.all[i].control, piece.rational);
-            let two = determinant(&up.all[i].control, piece.rational);
-            let affine = own.iter().zip(one.iter().zip(&two)).map(|(c, (a, b))| {
-                let (a, b) = (sign * (a - c) / dx, sign * (b - c) / dy);
-                [a, b, sign * c - a * x - b * y]
-            });
-            let mut parts = vec![affine.collect::<Vec<Row>>()];
-            if rows.len() + (parts[0].len() << level) > 4_000_000 {
+            let columns = moved.each_ref().map(|moved| &moved.all[i].control);
+            let form = Form {
+                dimension: D,
+                rational: piece.rational,
+            };
+            let own = form.coefficients(&piece.control, true);
+            let beside = columns.map(|control| form.coefficients(control, true));
+            let sizes = form.coefficients(&largest(&piece.control, &columns), false);
+            let whole: Vec<Row> = (0..own.len())
+                .map(|k| {
+                    let mut row = [0.0, 0.0, 0.0, sign * own[k], sizes[k]];
+                    for axis in 0..D {
+                        row[axis] = sign * (beside[axis][k] - own[k]) / steps[axis];
+                    }
+                    row
+                })
+                .collect();
+            if rows.len() + (whole.len() << level) > MOST_ROWS {
                 return Err(FloatError::Budget);
             }
+            let mut parts = vec![whole];
             for _ in 0..level {
                 parts = parts
                     .into_iter()
@@ -87,64 +145,137 @@ impl Curve {
                     })
                     .collect();
             }
-            rows.extend(parts.into_iter().flatten());
+            // A row without any rounding in it, as of three fixed points on a line, says nothing.
+            rows.extend(
+                parts
+                    .into_iter()
+                    .flatten()
+                    .filter(|row| row[..4].iter().any(|x| *x != 0.0)),
+            );
         }
         Ok(rows)
     }
 }
 
-/// The Bernstein coefficients of a positive multiple of det(p, p', p'') of homogeneous points (X, Y, w): the determinant of three curves of degree n − 2,
-/// or for polynomial pieces the product of two difference curves.
-fn determinant(control: &[Homogeneous], rational: bool) -> Vec<f64> {
-    let n = control.len() - 3;
-    let row = binomials(n);
-    let minor = |p: &Homogeneous, q: &Homogeneous, r: &Homogeneous| {
-        p[0] * (q[1] * r[3] - r[1] * q[3]) - p[1] * (q[0] * r[3] - r[0] * q[3]) + p[3] * (q[0] * r[1] - r[0] * q[1])
-    };
-    if rational {
-        let total = binomials(3 * n);
-        let mut sum = vec![0.0; 3 * n + 1];
-        for i in 0..=n {
-            for j in 0..=n {
-                for k in 0..=n {
-                    sum[i + j + k] += row[i] * row[j] * row[k] * minor(&control[i], &control[j + 1], &control[k + 2]);
-                }
+/// Magnitudes of control points wherever the free point is in the box; the weights as they are.
+fn largest<const D: usize>(control: &[Homogeneous], moved: &[&Vec<Homogeneous>; D]) -> Vec<Homogeneous> {
+    let each = control.iter().enumerate().map(|(k, p)| {
+        let mut most = p.map(f64::abs);
+        for other in moved {
+            for axis in 0..3 {
+                most[axis] += (other[k][axis] - p[axis]).abs();
             }
         }
-        return sum.iter().zip(&total).map(|(x, c)| x / c).collect();
-    }
-    let total = binomials(2 * n);
-    let mut sum = vec![0.0; 2 * n + 1];
-    let difference = |i: usize| [control[i + 1][0] - control[i][0], control[i + 1][1] - control[i][1]];
-    for i in 0..=n {
-        for j in 0..=n {
-            let (a, b) = (difference(i), difference(j + 1));
-            sum[i + j] += row[i] * row[j] * (a[0] * b[1] - a[1] * b[0]);
-        }
-    }
-    sum.iter().zip(&total).map(|(x, c)| x / c).collect()
+        most
+    });
+    each.collect()
 }
 
-/// A convex polygon cut with a half-plane (Sutherland and Hodgman 1974); points on its border stay.
-fn clip(polygon: &[[f64; 2]], row: &Row) -> Vec<[f64; 2]> {
-    let value = |p: &[f64; 2]| row[0] * p[0] + row[1] * p[1] + row[2];
-    let values: Vec<f64> = polygon.iter().map(value).collect();
-    if values.iter().all(|v| *v >= 0.0) {
-        return polygon.to_vec();
+/// Is there a point that satisfies all rows, whatever rounding did?
+fn certain(vertices: &[[f64; 3]], rows: &[Row]) -> Result<(), FloatError> {
+    let mut center = [0.0; 3];
+    for q in vertices {
+        for axis in 0..3 {
+            center[axis] += q[axis] / vertices.len() as f64;
+        }
     }
-    let mut result = Vec::with_capacity(polygon.len() + 1);
+    match rows.iter().all(|row| value(row, &center) > error(row)) {
+        true => Ok(()),
+        false => Err(FloatError::Doubtful),
+    }
+}
+
+/// How the sign function is written on a piece.
+struct Form {
+    dimension: usize,
+    rational: bool,
+}
+
+impl Form {
+    /// The Bernstein coefficients of a positive multiple of det((w, X), (w, X)', …), of polynomial pieces det(X', …): a determinant of curves of degree n − d.
+    /// Not `signed`, all differences are sums.
+    fn coefficients(&self, control: &[Homogeneous], signed: bool) -> Vec<f64> {
+        let d = self.dimension;
+        // Degree of the curves, and how many there are.
+        let n = control.len() - 1 - d;
+        let count = if self.rational { d + 1 } else { d };
+        let minus = if signed { -1.0 } else { 1.0 };
+        let vectors: Vec<[f64; 4]> = match self.rational {
+            true => control.iter().map(|p| [p[3], p[0], p[1], p[2]]).collect(),
+            false => {
+                let difference = |pair: &[Homogeneous]| {
+                    let x: [f64; 3] = std::array::from_fn(|axis| pair[1][axis] + minus * pair[0][axis]);
+                    [x[0], x[1], x[2], 0.0]
+                };
+                control.windows(2).map(difference).collect()
+            }
+        };
+        let (row, total) = (binomials(n), binomials(count * n));
+        let mut sum = vec![0.0; count * n + 1];
+        let mut at = vec![0; count];
+        loop {
+            let columns: Vec<&[f64; 4]> = at.iter().enumerate().map(|(j, i)| &vectors[i + j]).collect();
+            let factor: f64 = at.iter().map(|i| row[*i]).product();
+            sum[at.iter().sum::<usize>()] += factor * determinant(&columns, minus);
+            // The next index, the last place first.
+            let Some(place) = at.iter().rposition(|i| *i < n) else {
+                break;
+            };
+            at[place] += 1;
+            at[place + 1..].fill(0);
+        }
+        sum.iter().zip(&total).map(|(x, c)| x / c).collect()
+    }
+}
+
+/// A determinant of the first coordinates, or with 1 for `minus` the permanent.
+fn determinant(columns: &[&[f64; 4]], minus: f64) -> f64 {
+    let two = |a: &[f64; 4], b: &[f64; 4], i: usize, j: usize| a[i] * b[j] + minus * a[j] * b[i];
+    let three = |a: &[f64; 4], b: &[f64; 4], c: &[f64; 4], [i, j, k]: [usize; 3]| {
+        a[i] * two(b, c, j, k) + minus * a[j] * two(b, c, i, k) + a[k] * two(b, c, i, j)
+    };
+    match columns {
+        [a, b] => two(a, b, 0, 1),
+        [a, b, c] => three(a, b, c, [0, 1, 2]),
+        [a, b, c, d] => {
+            a[0] * three(b, c, d, [1, 2, 3])
+                + minus * a[1] * three(b, c, d, [0, 2, 3])
+                + a[2] * three(b, c, d, [0, 1, 3])
+                + minus * a[3] * three(b, c, d, [0, 1, 2])
+        }
+        _ => 0.0,
+    }
+}
+
+/// A convex polygon cut with a half-plane (Sutherland and Hodgman 1974), moved outward by its rounding error; what is outside by twice that is cut off.
+fn clip(polygon: Vec<[f64; 3]>, row: &Row) -> Vec<[f64; 3]> {
+    let slack = error(row);
+    let values: Vec<f64> = polygon.iter().map(|q| value(row, q) + slack).collect();
+    let out = |v: f64| v < -slack;
+    if !values.iter().any(|v| out(*v)) {
+        return polygon;
+    }
+    let mut result: Vec<[f64; 3]> = Vec::with_capacity(polygon.len() + 1);
     for (i, p) in polygon.iter().enumerate() {
         let j = (i + 1) % polygon.len();
         let (a, b) = (values[i], values[j]);
-        if a >= 0.0 {
+        if !out(a) {
             result.push(*p);
         }
-        if (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0) {
-            let u = a / (a - b);
-            let q = &polygon[j];
-            result.push([p[0] + u * (q[0] - p[0]), p[1] + u * (q[1] - p[1])]);
+        if out(a) != out(b) {
+            result.push(between(p, &polygon[j], a, b));
         }
+    }
+    result.dedup();
+    if result.len() > 1 && result.first() == result.last() {
+        result.pop();
     }
     // A polygon without area has no interior to offer.
     if result.len() < 3 { Vec::new() } else { result }
+}
+
+/// Where a function with the values a and b at both ends is 0; an end, when it has one sign.
+pub(super) fn between(p: &[f64; 3], q: &[f64; 3], a: f64, b: f64) -> [f64; 3] {
+    let u = (a / (a - b)).clamp(0.0, 1.0);
+    std::array::from_fn(|axis| p[axis] + u * (q[axis] - p[axis]))
 }

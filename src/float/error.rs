@@ -42,6 +42,8 @@ pub enum FloatError {
         /// What was expected.
         expected: &'static str,
     },
+    /// Rounding leaves open whether there is a result, or of which form.
+    Doubtful,
     /// The search did not end within its budget.
     Budget,
 }
@@ -62,6 +64,7 @@ impl fmt::Display for FloatError {
             FloatError::Irregular => write!(f, "the derivatives vanish or are parallel there"),
             FloatError::Dimension => write!(f, "the dimension does not fit"),
             FloatError::Argument { expected } => write!(f, "expected {expected}"),
+            FloatError::Doubtful => write!(f, "rounding leaves the result open"),
             FloatError::Budget => write!(f, "the search did not end within its budget"),
         }
     }

@@ -49,7 +49,7 @@ fn exact_distance(one: &Curve, s: f64, two: &Curve, t: f64) -> f64 {
 
 #[test]
 fn shortest_double_normals_of_known_curves() {
-    // Certified values, docs/paper-notes.md and certs/accept.
+    // Certified values, docs/PAPERS.md and certs/accept.
     for (name, expected) in [
         ("mp06-figure-1", 0.442_675_170_376_606_6),
         ("trefoil-24", 1.081_040_191_529_21),
@@ -359,6 +359,60 @@ fn a_convex_domain() {
         file("mp06-figure-1").convex_domain(2, 1.0, 3, true),
         Err(FloatError::Dimension)
     );
+}
+
+#[test]
+fn a_convex_domain_in_space() {
+    let knots = |degree: usize| {
+        let mut knots = vec![0.0; degree + 1];
+        knots.extend(vec![1.0; degree + 1]);
+        knots
+    };
+    let points = vec![
+        0.0, 0.0, 0.0, 3.0, 1.0, 1.0, 5.0, 4.0, 3.0, 4.0, 8.0, 7.0, 1.0, 10.0, 12.0, -3.0, 9.0, 18.0,
+    ];
+    for weights in [None, Some(vec![1.0, 2.0, 2.0, 1.0, 2.0, 1.0])] {
+        let curve = Curve::new(3, 5, knots(5), points.clone(), weights).unwrap();
+        // The least triple product of derivatives, over the product of their lengths, on a grid of parameters.
+        let least = |d: [f64; 3]| {
+            let mut moved = curve.clone();
+            moved.points[6..9].copy_from_slice(&d);
+            let twist = |i: i32| {
+                let t = f64::from(i) / 200.0;
+                let all = moved.derivatives(t, crate::curve::Side::After, 3).unwrap();
+                let [a, b, c] = [all[1], all[2], all[3]];
+                let lengths = [a, b, c].map(|v| v.iter().map(|x| x * x).sum::<f64>().sqrt());
+                let product = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                    + a[2] * (b[0] * c[1] - b[1] * c[0]);
+                product / lengths.iter().product::<f64>()
+            };
+            (0..=200).map(twist).fold(f64::INFINITY, f64::min)
+        };
+        let mut volume = 0.0;
+        for level in [0, 1, 2, 4] {
+            let solid = curve.convex_domain_in_space(2, 18.0, level, true).unwrap();
+            assert!(solid.volume() >= volume * (1.0 - 1e-12), "level {level}");
+            volume = solid.volume();
+            for p in &solid.vertices {
+                assert!(least(*p) >= -1e-10, "{p:?} {}", least(*p));
+            }
+            // Euler's formula, and every edge in two faces.
+            let ends = solid.faces.iter().map(Vec::len).sum::<usize>();
+            assert_eq!(solid.vertices.len() + solid.faces.len(), ends / 2 + 2);
+        }
+        assert!(volume > 1.0, "{volume}");
+        assert_eq!(curve.convex_domain(2, 1.0, 0, true), Err(FloatError::Dimension));
+        assert_eq!(
+            curve.convex_domain_in_space(2, 1.0, 0, false).unwrap().vertices.len(),
+            0
+        );
+    }
+    // A cubic has one coefficient: a half-space through the other three points, in which the point itself is when the curve is flat.
+    let flat = vec![0.0, 0.0, 0.0, 1.0, 2.0, 0.0, 3.0, 3.0, 0.0, 4.0, 0.0, 0.0];
+    let curve = Curve::new(3, 3, knots(3), flat, None).unwrap();
+    let half = curve.convex_domain_in_space(3, 2.0, 3, true).unwrap();
+    assert!((half.volume() - 32.0).abs() < 1e-9, "{}", half.volume());
+    assert!(curve.convex_domain_in_space(4, 2.0, 3, true).is_err());
 }
 
 #[test]

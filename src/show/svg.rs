@@ -322,7 +322,7 @@ fn swatch(out: &mut String, kind: Kind, y: f64) {
     };
 }
 
-fn line(out: &mut String, class: &str, from: [f64; 2], to: [f64; 2]) {
+pub(super) fn line(out: &mut String, class: &str, from: [f64; 2], to: [f64; 2]) {
     let _ = writeln!(
         out,
         "<line class=\"{class}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>",
@@ -333,7 +333,7 @@ fn line(out: &mut String, class: &str, from: [f64; 2], to: [f64; 2]) {
     );
 }
 
-fn text(out: &mut String, class: &str, [x, y]: [f64; 2], anchor: &str, words: &str) {
+pub(super) fn text(out: &mut String, class: &str, [x, y]: [f64; 2], anchor: &str, words: &str) {
     let _ = writeln!(
         out,
         "<text class=\"{class}\" x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\">{}</text>",
@@ -343,12 +343,12 @@ fn text(out: &mut String, class: &str, [x, y]: [f64; 2], anchor: &str, words: &s
     );
 }
 
-fn pair([x, y]: [f64; 2]) -> String {
+pub(super) fn pair([x, y]: [f64; 2]) -> String {
     format!("{},{}", number(x), number(y))
 }
 
 /// At most two decimals, no trailing zeros, no negative zero.
-fn number(x: f64) -> String {
+pub(super) fn number(x: f64) -> String {
     let text = format!("{x:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".into() } else { text.into() }
@@ -372,7 +372,7 @@ pub(super) fn escape(words: &str) -> String {
 }
 
 /// Lines of at most `letters` letters, broken at spaces, and inside a word only where it is longer than a line.
-fn wrapped(words: &str, letters: usize) -> Vec<String> {
+pub(super) fn wrapped(words: &str, letters: usize) -> Vec<String> {
     let letters = letters.max(8);
     let mut lines = Vec::new();
     let mut line = String::new();

@@ -23,8 +23,7 @@ impl Engine for KnotproofF64 {
 
     fn answer(&self, case: &Case) -> Answer {
         match answer(case) {
-            Ok(Some(returned)) => Answer::Ok(returned),
-            Ok(None) => Answer::NotOffered,
+            Ok(returned) => Answer::Ok(returned),
             Err(error) => Answer::Refused(error.to_string()),
         }
     }
@@ -56,12 +55,11 @@ fn side(side: CaseSide) -> Side {
     }
 }
 
-/// Nothing for operations not offered.
-fn answer(case: &Case) -> Result<Option<Returned>, FloatError> {
+fn answer(case: &Case) -> Result<Returned, FloatError> {
     let made = curve(&case.curve)?;
     let coordinates = |point: [f64; 3]| point[..made.dimension()].to_vec();
     let one = |made: Curve| Returned::Curve(returned(&made));
-    Ok(Some(match &case.operation {
+    Ok(match &case.operation {
         Operation::Point { parameter } => Returned::Point(coordinates(made.point(*parameter)?)),
         Operation::Derivative {
             parameter,
@@ -111,7 +109,17 @@ fn answer(case: &Case) -> Result<Option<Returned>, FloatError> {
                 parameters: found.map_or(Vec::new(), |found| vec![found.parameters.0, found.parameters.1]),
             }
         }
-        // Its polygons need a sign and a level, which cases do not have.
-        Operation::ConvexDomain { .. } => return Ok(None),
-    }))
+        Operation::ConvexDomain {
+            point,
+            half_width,
+            level,
+            positive,
+        } => Returned::Vertices(if made.dimension() == 2 {
+            let polygon = made.convex_domain(*point, *half_width, *level, *positive)?;
+            polygon.iter().map(|vertex| vertex.to_vec()).collect()
+        } else {
+            let solid = made.convex_domain_in_space(*point, *half_width, *level, *positive)?;
+            solid.vertices.iter().map(|vertex| vertex.to_vec()).collect()
+        }),
+    })
 }

@@ -37,6 +37,7 @@ pub fn judge(operation: &Operation, truth: &Truth, answer: &Answer, tolerances: 
                 None => return Verdict::Unjudged("the exact distance is not enclosed narrowly enough".into()),
             }
         }
+        (Truth::Domain(domain), Returned::Vertices(found)) => return domain.judge(found, most),
         (Truth::NoDistance, Returned::Distance { distance: None, .. }) => Ok(0.0),
         (
             Truth::NoDistance,

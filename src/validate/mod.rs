@@ -8,6 +8,7 @@ mod built_in;
 mod certified;
 mod condition;
 mod distance;
+mod domain;
 mod github;
 mod judge;
 mod junit;
@@ -21,6 +22,7 @@ mod words;
 
 pub use built_in::KnotproofF64;
 pub use certified::{Certified, certified};
+pub use domain::ExactDomain;
 pub use github::annotations;
 pub use judge::judge;
 pub use junit::junit;

@@ -4,6 +4,7 @@ use num_traits::{Signed, Zero};
 
 use super::condition::{Condition, curvature_unit, torsion_unit};
 use super::distance;
+use super::domain::{Asked, ExactDomain};
 use super::structure::{Expected, Multiplicity};
 use crate::curve::{BSpline, Curve, Side};
 use crate::engine::{Case, FloatCurve, Operation};
@@ -56,6 +57,8 @@ pub enum Truth {
         /// Where the upper one is attained, in words.
         attained: String,
     },
+    /// The polytope of a convex domain.
+    Domain(Box<ExactDomain>),
     /// There is no such distance.
     NoDistance,
     /// It is not known, for this reason.
@@ -123,7 +126,21 @@ fn of_curve(case: &Case, spline: BSpline, msd: &MsdOracle<'_>) -> Result<Truth, 
             ))
         }
         Operation::Msd => Ok(Truth::of_msd(&msd(&Curve::from(about.spline))?, &case.curve)),
-        Operation::ConvexDomain { .. } => Err("polygons of convex domains are not judged".into()),
+        Operation::ConvexDomain {
+            point,
+            half_width,
+            level,
+            positive,
+        } => {
+            let asked = Asked {
+                point: *point,
+                half_width: *half_width,
+                level: *level,
+                positive: *positive,
+            };
+            let domain = ExactDomain::new(&case.curve, about.spline, &asked)?;
+            Ok(Truth::Domain(Box::new(domain)))
+        }
     }
 }
 

@@ -169,7 +169,12 @@ fn the_worst_of_several_files_decides() {
     fs::write(&bad, SQUARE.replace("500/501", "502/501")).expect("a file");
     let absent = directory.path().join("absent.json");
     let (good, bad, absent) = (text(&good), text(&bad), text(&absent));
-    assert_eq!(run(["check", good, good]).expect(0).out.lines().count(), 2);
+    let twice = run(["check", good, good]).expect(0).out;
+    assert!(
+        twice.ends_with("2 files: 2 accepted, 0 rejected, 0 not read\n"),
+        "{twice}"
+    );
+    assert_eq!(twice.lines().count(), 3);
     let mixed = run(["check", bad, good]).expect(1);
     assert!(
         mixed.out.starts_with("rejected: ") && mixed.out.contains("\naccepted: "),
@@ -177,7 +182,7 @@ fn the_worst_of_several_files_decides() {
     );
     for files in [[absent, bad], [bad, absent], [good, absent]] {
         let run = run([&["check"], &files[..]].concat());
-        assert_eq!((run.code, run.out.lines().count()), (2, 1), "{run:?}");
+        assert_eq!((run.code, run.out.lines().count()), (2, 2), "{run:?}");
         assert!(
             run.err.starts_with("error: ") && run.err.contains("absent.json: cannot be read"),
             "{run:?}"
@@ -202,9 +207,40 @@ fn the_worst_of_several_files_decides() {
 }
 
 #[test]
+fn folders_and_many_files() {
+    let (directory, good) = directory();
+    let folder = directory.path().join("folder");
+    fs::create_dir(&folder).expect("a folder");
+    for name in ["b.cert.json", "a.cert.json", "curve.json", ".c.cert.json"] {
+        fs::copy(&good, folder.join(name)).expect("a copy");
+    }
+    fs::write(folder.join("c.cert.bin"), "KNOTCRT1").expect("a file");
+    let lines = directory.path().join("lines.jsonl");
+    let arguments = ["check", text(&folder), text(&good), "-j", "3", "--jsonl", text(&lines)];
+    let told = run(arguments).expect(1).out;
+    let starts: Vec<&str> = told
+        .lines()
+        .map(|line| line.split(": ").next().unwrap_or_default())
+        .collect();
+    assert_eq!(
+        starts,
+        ["accepted", "accepted", "rejected", "accepted", "4 files"],
+        "{told}"
+    );
+    assert!(told.contains("3 accepted, 1 rejected, 0 not read"), "{told}");
+    let lines = fs::read_to_string(lines).expect("lines");
+    let verdicts: Vec<serde_json::Value> = lines
+        .lines()
+        .map(|line| serde_json::from_str::<serde_json::Value>(line).expect("JSON")["verdict"].clone())
+        .collect();
+    assert_eq!(verdicts, ["accepted", "accepted", "rejected", "accepted"]);
+    run(["check", text(&good), "--jsonl", "/nowhere/at/all"]).expect_error(&["cannot be written"]);
+}
+
+#[test]
 fn unreadable_files_are_no_verdict() {
     let directory = TempDir::new().expect("a directory");
-    run(["check", text(directory.path())]).expect_error(&["cannot be read"]);
+    run(["check", text(directory.path())]).expect_error(&["no file in the folder that ends in .cert.json"]);
     run(["check", "absent.json"]).expect_error(&["absent.json: cannot be read"]);
     run(["check", "-", "-"]).expect_error(&["standard input", "once"]);
     run(["check", "-", "--curve", "-"]).expect_error(&["standard input", "once"]);

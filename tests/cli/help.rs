@@ -29,6 +29,50 @@ fn nothing_to_do_is_wrong_usage() {
     }
 }
 
+/// The subcommands that the help lists.
+fn subcommands() -> Vec<String> {
+    let help = run(["--help"]).expect(0).out;
+    let commands = help.split("Commands:\n").nth(1).expect("a list of subcommands");
+    let names = commands.lines().take_while(|line| line.starts_with("  "));
+    let names = names
+        .filter(|line| !line.starts_with("   "))
+        .filter_map(|line| line.split_whitespace().next());
+    names.map(String::from).filter(|name| name != "help").collect()
+}
+
+#[test]
+fn completions_know_every_subcommand() {
+    let names = subcommands();
+    assert!(names.len() >= 3, "{names:?}");
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = run(["completions", shell]).expect(0).out;
+        for name in &names {
+            assert!(script.contains(name.as_str()), "{name} is not in the script of {shell}");
+        }
+        assert!(script.contains("snap-joints"), "{shell}");
+    }
+    run(["completions", "tcsh"]).expect_error(&["tcsh", "bash"]);
+}
+
+#[test]
+fn manual_pages_know_every_subcommand() {
+    let names = subcommands();
+    let page = run(["man"]).expect(0).out;
+    assert!(page.starts_with(".ie") || page.contains(".TH knotproof 1"), "{page}");
+    let folder = tempfile::TempDir::new().expect("a folder");
+    let pages = folder.path().join("pages");
+    run(["man", "-o", pages.to_str().expect("UTF-8")]).expect(0);
+    for name in &names {
+        assert!(page.contains(&format!("knotproof\\-{name}")), "{name} is not in {page}");
+        let page = std::fs::read_to_string(pages.join(format!("knotproof-{name}.1"))).expect("a page");
+        assert!(page.contains(&format!(".TH knotproof-{name} 1")), "{page}");
+    }
+    let check = std::fs::read_to_string(pages.join("knotproof-check.1")).expect("a page");
+    assert!(check.contains("\\-\\-snap\\-joints"), "{check}");
+    #[cfg(feature = "prove")]
+    assert!(pages.join("knotproof-certify-msd.1").exists());
+}
+
 #[cfg(feature = "prove")]
 #[test]
 fn help_of_certify_tells_its_options() {

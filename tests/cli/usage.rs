@@ -56,7 +56,6 @@ fn other_options_out_of_range() {
         &[SQUARE, "--format", "yaml", "-o", "x"],
         &["--format", "json", "binary"],
     );
-    refuse(&[SQUARE, SQUARE], &["unexpected argument"]);
     refuse(&[], &["<CURVE>"]);
     run(["certify", "length", SQUARE]).expect_error(&["unrecognized subcommand 'length'"]);
 }
@@ -65,7 +64,7 @@ fn other_options_out_of_range() {
 fn curve_files_that_are_none() {
     refuse(&["absent.json"], &["absent.json: cannot be read"]);
     let directory = TempDir::new().expect("a directory");
-    refuse(&[text(directory.path())], &["cannot be read"]);
+    refuse(&[text(directory.path())], &["found no file with curves"]);
     let path = directory.path().join("curve.json");
     let cases: [(&[u8], &str); 7] = [
         (b"", "JSON"),
@@ -96,8 +95,6 @@ fn places_that_take_no_certificate() {
         &[SQUARE, "-o", text(&absent)],
         &[text(&absent), "there is no directory"],
     );
-    refuse(&[SQUARE, "-o", text(directory.path())], &["not a regular file"]);
-    refuse(&[SQUARE, "-o", ".."], &["not a regular file"]);
     refuse(&[SQUARE, "-o", "-"], &["-o", "name a file"]);
     #[cfg(unix)]
     refuse(&[SQUARE, "-o", "/dev/null"], &["/dev/null", "not a regular file"]);

@@ -304,6 +304,47 @@ fn the_engine_of_this_program() {
 }
 
 #[test]
+fn polytopes_of_convex_domains() {
+    let folder = TempDir::new().expect("a folder");
+    let path = |name: &str| text(&folder.path().join(name)).to_string();
+    let cases = path("cases.json");
+    run(["cases", "--ops", "convex_domain", "--count", "12", "-o", &cases]).expect(0);
+    let made: Value = serde_json::from_str(&fs::read_to_string(&cases).expect("cases")).expect("JSON");
+    for case in made["cases"].as_array().expect("cases") {
+        assert_eq!(case["operation"], "convex_domain");
+        assert!(
+            case["level"].is_u64() && (case["sign"] == "+" || case["sign"] == "-"),
+            "{case}"
+        );
+    }
+    let judged = run(["validate", "--engine", "knotproof-f64", "--cases", &cases, "--json"])
+        .expect(0)
+        .json();
+    assert_eq!(judged["operations"][0]["right"], 12, "{judged}");
+    // Not made unless it is named.
+    let usual = run(["cases", "--count", "26"]).expect(0).out;
+    assert!(!usual.contains("convex_domain"), "{usual}");
+    // The half-plane of level 0, y ≤ x, touches the square in a corner.
+    let cases = r#"{"knotproof":"cases/1","cases":[{"id":"a","operation":"convex_domain","point":1,"box":1,"level":0,"sign":"+",
+"curve":{"degree":2,"knots":[0,0,0,1,1,1],"points":[[0,0],[2,0],[2,2]]}}]}"#;
+    fs::write(path("square.json"), cases).expect("written");
+    for (vertices, code, part) in [
+        (json!([[1, -1], [3, -1], [3, 1], [1, 1]]), 0, "right"),
+        (json!([[1, -1], [3, -1], [3, 1], [1, 1.125]]), 1, "vertex 3"),
+        (json!([[1, -1], [3, -1], [3, 1]]), 1, "the vertex (1, 1)"),
+        (json!([]), 1, "no vertices"),
+    ] {
+        let results = json!({ "knotproof": "results/1", "engine": "mine 1.0",
+            "results": [{ "id": "a", "status": "ok", "vertices": vertices }] });
+        fs::write(path("results.json"), results.to_string()).expect("written");
+        let told = run(["validate", &path("results.json"), "--cases", &path("square.json")])
+            .expect(code)
+            .out;
+        assert!(told.contains(part), "{vertices}: {told}");
+    }
+}
+
+#[test]
 fn a_chain_makes_cases_as_one_spline() {
     let folder = TempDir::new().expect("a folder");
     let chain = folder.path().join("chain.json");

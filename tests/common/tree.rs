@@ -1,6 +1,7 @@
 //! A walk over a cover tree, written from FORMAT §5 apart from the checker's: which pair of nodes each token is for.
 
 use knotproof::curve::{Curve, Joint};
+use knotproof::number::{Integer, Rational};
 
 /// An element of the curve.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -167,4 +168,28 @@ pub fn leaf_for<S: AsRef<str>>(elements: &[Element], tokens: &[S], wish: impl Fn
     let leaf = |i: &usize| !matches!(tokens[*i].as_ref(), "split" | "first" | "second");
     let pairs = pairs(elements, tokens);
     (0..tokens.len()).rev().filter(leaf).find(|i| wish(&pairs[*i]))
+}
+
+/// The ends of the leaves' nodes of a tree of the convention `smooth`, in their order.
+pub fn leaf_ends(curve: &Curve, tokens: &[String]) -> Vec<Rational> {
+    let whole = |i: usize| Rational::from_integer(i.into());
+    let mut ends = Vec::new();
+    for (token, pair) in tokens.iter().zip(pairs(&elements(curve, false), tokens)) {
+        if !matches!(token.as_str(), "split" | "first" | "second") {
+            for node in pair {
+                match node {
+                    Node::Run(a, b) => ends.extend([whole(a), whole(b)]),
+                    Node::Part { piece, index, depth } => {
+                        let unit = Rational::new(1.into(), Integer::ONE << depth);
+                        let start = whole(piece) + Rational::from_integer((index as i64).into()) * &unit;
+                        ends.extend([start.clone(), start + unit]);
+                    }
+                    Node::Point(_) => unreachable!("no points in this convention"),
+                }
+            }
+        }
+    }
+    ends.sort();
+    ends.dedup();
+    ends
 }

@@ -12,6 +12,7 @@ use serde::Serialize;
 use super::msd::{Width, parse_width};
 use super::output_file::{Common, write};
 use super::report::{Written, parameter};
+use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::curvature_words::{CurvatureLine, in_words};
 use crate::cli::failure::Failure;
@@ -27,13 +28,14 @@ const ROOT_BITS: u32 = 256;
 /// attained. Corners do not count, but are told. Where the derivative vanishes, so that the curvature is not bounded, the exit code is 3 and the parameter is named.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
-    curve: Input,
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input. Several files, or a folder, make a batch.
+    #[arg(required = true)]
+    pub curve: Vec<Input>,
     /// How far apart the bounds may be, relative to the upper one: a decimal or a fraction from 1e-30 to 1e-1.
     #[arg(long, value_name = "WIDTH", default_value = "1e-9", allow_hyphen_values = true, value_parser = parse_width)]
     rel_width: Width,
     #[command(flatten)]
-    common: Common,
+    pub common: Common,
 }
 
 /// The object of `--json`.
@@ -60,15 +62,16 @@ struct ForPrograms {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let target = arguments.common.target(&arguments.curve)?;
-    let file = arguments.common.read(&arguments.curve)?;
+    let target = arguments.common.target(&arguments.curve[0])?;
+    let file = arguments.common.read(&arguments.curve[0])?;
     let options = Options {
         relative_width: arguments.rel_width.value.clone(),
         name: file.name.clone(),
         snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
     };
     let start = Instant::now();
-    let found = certify(&file.curve, &options).map_err(|error| Failure::at(&arguments.curve, error))?;
+    let found = certify(&file.curve, &options).map_err(|error| Failure::at(&arguments.curve[0], error))?;
+    search_is_over();
     let written = match &found.document {
         None => None,
         Some(document) => write(document, target.as_ref(), arguments.common.format)?,
@@ -152,7 +155,7 @@ fn for_people(
     let chain = file.curve.chain();
     let name = match &file.name {
         Some(name) => format!("{name:?}"),
-        None => arguments.curve.to_string(),
+        None => arguments.curve[0].to_string(),
     };
     let mut text = match &found.status {
         Status::Certified => format!("certified: greatest curvature of {name}\n"),

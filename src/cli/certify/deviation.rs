@@ -12,6 +12,7 @@ use serde::Serialize;
 
 use super::msd::{Width, parse_width};
 use super::output_file::{Common, write};
+use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::deviation_words::{DeviationLine, in_words};
 use crate::cli::failure::Failure;
@@ -27,8 +28,9 @@ const BOUND_DIGITS: usize = 6;
 /// interval that contains the greatest distance of points of the same parameter, and the bound of Nairn, Peters and Lutterkort (1999) that visualisation software goes by.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
-    curve: Input,
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input. Several files, or a folder, make a batch.
+    #[arg(required = true)]
+    pub curve: Vec<Input>,
     /// How often every piece is halved.
     #[arg(long, value_name = "M", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=i64::from(MOST_SUBDIVISIONS)))]
     subdivisions: u32,
@@ -36,7 +38,7 @@ pub struct Arguments {
     #[arg(long, value_name = "WIDTH", default_value = "1e-6", allow_hyphen_values = true, value_parser = parse_width)]
     rel_width: Width,
     #[command(flatten)]
-    common: Common,
+    pub common: Common,
 }
 
 #[derive(Serialize)]
@@ -58,8 +60,8 @@ struct ForPrograms {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let target = arguments.common.target(&arguments.curve)?;
-    let file = arguments.common.read(&arguments.curve)?;
+    let target = arguments.common.target(&arguments.curve[0])?;
+    let file = arguments.common.read(&arguments.curve[0])?;
     let options = Options {
         subdivisions: arguments.subdivisions,
         relative_width: arguments.rel_width.value.clone(),
@@ -67,7 +69,8 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
     };
     let start = Instant::now();
-    let found = certify(&file.curve, &options).map_err(|error| Failure::at(&arguments.curve, error))?;
+    let found = certify(&file.curve, &options).map_err(|error| Failure::at(&arguments.curve[0], error))?;
+    search_is_over();
     let written = match &found.document {
         None => None,
         Some(document) => write(document, target.as_ref(), arguments.common.format)?,
@@ -101,7 +104,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     } else if !arguments.common.printing.quiet {
         let name = match &file.name {
             Some(name) => format!("{name:?}"),
-            None => arguments.curve.to_string(),
+            None => arguments.curve[0].to_string(),
         };
         let mut text = match &reason {
             None => format!("certified: deviation of {name} from its control polygon\n"),

@@ -14,6 +14,7 @@ use tempfile::{NamedTempFile, SpooledTempFile};
 use super::output_file::{Common, Target, encoding};
 use super::progress::Progress;
 use super::report::Written;
+use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::bounds::leaves_in_words;
 use crate::cli::embedding_words::{EmbeddingLine, in_words};
@@ -29,8 +30,9 @@ use crate::cli::output::{say, say_json};
 /// without -o. When neither can be proved, the exit code is 3.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
-    curve: Input,
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input. Several files, or a folder, make a batch.
+    #[arg(required = true)]
+    pub curve: Vec<Input>,
     /// How many leaves the proof may have at most [default: 500,000 and 64 for each piece]
     #[arg(long, value_name = "LEAVES", value_parser = clap::value_parser!(u64).range(1..))]
     budget: Option<u64>,
@@ -38,7 +40,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     #[command(flatten)]
-    common: Common,
+    pub common: Common,
 }
 
 /// What `--json` prints.
@@ -66,12 +68,12 @@ struct Line {
 
 /// Runs the subcommand.
 pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
-    let target = arguments.common.target(&arguments.curve)?;
+    let target = arguments.common.target(&arguments.curve[0])?;
     if let Some(threads) = arguments.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         pool.build_global().map_err(|error| Failure::at("--threads", error))?;
     }
-    let file = arguments.common.read(&arguments.curve)?;
+    let file = arguments.common.read(&arguments.curve[0])?;
     let options = Options {
         budget: arguments.budget,
         name: file.name.clone(),
@@ -80,9 +82,10 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     let start = Instant::now();
     let progress = Progress::new(arguments.common.printing.quiet);
     let outcome = certify(&file.curve, &options, &|part| progress.at(part)).map_err(|error| match error {
-        CertifyError::PointPiece { .. } => Failure::at(&arguments.curve, error),
+        CertifyError::PointPiece { .. } => Failure::at(&arguments.curve[0], error),
         error => failure(&error, None),
     })?;
+    search_is_over();
     progress.checking();
     let mut line = Line {
         status: "undecided",

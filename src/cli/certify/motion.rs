@@ -16,6 +16,7 @@ use super::motion_report::{FRAMES_TOLD, Report};
 use super::output_file::{Common, Target, encoding};
 use super::progress::Progress;
 use super::report::Written;
+use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
@@ -28,8 +29,9 @@ use crate::cli::output::{say, say_json};
 /// first steps are told at which the criterion of second differences (CPIJ14) and that of ½ν fail; these do not change the exit code. When neither an embedding to the end nor a meeting can be proved, the exit code is 3.
 #[derive(Args)]
 pub struct Arguments {
-    /// The motion, a file of version motion/1; "-" is standard input, where paths of curves are relative to the current directory.
-    motion: Input,
+    /// The motion, a file of version motion/1; "-" is standard input, where paths of curves are relative to the current directory. Several files make a batch.
+    #[arg(required = true)]
+    pub motion: Vec<Input>,
     /// What is followed.
     #[arg(long, value_enum, default_value_t = Tracks::Both)]
     track: Tracks,
@@ -40,7 +42,7 @@ pub struct Arguments {
     #[arg(long, value_name = "LEAVES", value_parser = clap::value_parser!(u64).range(1..))]
     budget: Option<u64>,
     #[command(flatten)]
-    common: Common,
+    pub common: Common,
 }
 
 /// What is followed.
@@ -69,8 +71,8 @@ fn parse_distance(text: &str) -> Result<Distance, String> {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let target = arguments.common.target(&arguments.motion)?;
-    let motion = read(&arguments.motion, arguments.common.snap_joints)?;
+    let target = arguments.common.target(&arguments.motion[0])?;
+    let motion = read(&arguments.motion[0], arguments.common.snap_joints)?;
     let options = Options {
         curve: arguments.track != Tracks::Polygon,
         polygon: arguments.track != Tracks::Curve,
@@ -80,8 +82,9 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     let start = Instant::now();
     let progress = Progress::new(arguments.common.printing.quiet);
-    let mut certified =
-        certify(&motion, &options, &|part| progress.at(part)).map_err(|error| Failure::at(&arguments.motion, error))?;
+    let mut certified = certify(&motion, &options, &|part| progress.at(part))
+        .map_err(|error| Failure::at(&arguments.motion[0], error))?;
+    search_is_over();
     progress.checking();
     let written = match certified.document {
         Some(_) => keep(&mut certified, arguments, target.as_ref())?,
@@ -89,7 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     drop(progress);
     let report = Report {
-        input: &arguments.motion,
+        input: &arguments.motion[0],
         motion: &motion,
         certified: &certified,
         seconds: start.elapsed().as_secs_f64(),

@@ -12,6 +12,7 @@ use tempfile::SpooledTempFile;
 use super::output_file::{Common, Target, encoding};
 use super::progress::Progress;
 use super::report::{Report, Written};
+use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
@@ -24,8 +25,9 @@ use crate::cli::output::{say, say_json};
 /// for cannot be proved, the exit code is 3, and what could be proved is printed and written.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
-    curve: Input,
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input. Several files, or a folder, make a batch.
+    #[arg(required = true)]
+    pub curve: Vec<Input>,
     /// Which chords count at corners and ends.
     #[arg(long, value_enum, default_value_t = ConventionName::Smooth)]
     convention: ConventionName,
@@ -39,7 +41,7 @@ pub struct Arguments {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     #[command(flatten)]
-    common: Common,
+    pub common: Common,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -74,12 +76,12 @@ pub fn parse_width(text: &str) -> Result<Width, String> {
 
 /// Runs the subcommand.
 pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
-    let target = arguments.common.target(&arguments.curve)?;
+    let target = arguments.common.target(&arguments.curve[0])?;
     if let Some(threads) = arguments.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         pool.build_global().map_err(|error| Failure::at("--threads", error))?;
     }
-    let file = arguments.common.read(&arguments.curve)?;
+    let file = arguments.common.read(&arguments.curve[0])?;
     let options = Options {
         convention: match arguments.convention {
             ConventionName::Smooth => Convention::Smooth,
@@ -93,9 +95,10 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     let start = Instant::now();
     let progress = Progress::new(arguments.common.printing.quiet);
     let mut certified = certify(&file.curve, &options, &|part| progress.at(part)).map_err(|error| match error {
-        CertifyError::PointPiece { .. } => Failure::at(&arguments.curve, error),
+        CertifyError::PointPiece { .. } => Failure::at(&arguments.curve[0], error),
         error => failure(&error, None),
     })?;
+    search_is_over();
     progress.checking();
     let written = match target {
         Some(target) => Some(write(
@@ -114,7 +117,7 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
     drop(progress);
     let seconds = start.elapsed().as_secs_f64();
     let report = Report {
-        input: &arguments.curve,
+        input: &arguments.curve[0],
         file: &file,
         certified: &certified,
         width_asked: &arguments.rel_width.text,

@@ -13,6 +13,7 @@ use tempfile::{NamedTempFile, SpooledTempFile};
 use super::report::Written;
 use crate::cli::Printing;
 use crate::cli::atomic_file::AtomicFile;
+use crate::cli::batch::options::{MANY, Many};
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
 #[cfg(feature = "import")]
@@ -32,9 +33,9 @@ pub enum Format {
 /// What every claim's command takes beside its own options.
 #[derive(Args)]
 pub struct Common {
-    /// Write the certificate to this file. It is there only when whole, and accepted by the checker.
+    /// Write the certificate to this file. It is there only when whole, and accepted by the checker. Of a batch, the folder for the certificates.
     #[arg(long, short, value_name = "CERT")]
-    output: Option<PathBuf>,
+    pub output: Option<PathBuf>,
     /// The form of the certificate [default: binary when the name of CERT ends in ".bin", else json]
     #[arg(long, value_enum, requires = "output")]
     pub format: Option<Format>,
@@ -43,13 +44,31 @@ pub struct Common {
     pub snap_joints: bool,
     #[cfg(feature = "import")]
     #[command(flatten)]
-    reading: Reading,
+    pub reading: Reading,
+    /// Take every curve of the file, as a batch.
+    #[arg(long, help_heading = MANY)]
+    pub all: bool,
+    /// What makes it a batch.
+    #[command(flatten)]
+    pub many: Many,
     /// What is printed.
     #[command(flatten)]
     pub printing: Printing,
 }
 
 impl Common {
+    /// Is a batch asked for? It is where there are several files, a folder among them, or an option that makes sense for many curves alone.
+    pub fn makes_a_batch(&self, inputs: &[Input]) -> bool {
+        let folder = |path: &Path| path.is_dir() || path.to_string_lossy().ends_with(std::path::is_separator);
+        inputs.len() > 1
+            || self.all
+            || self.many.is_given()
+            || self.output.as_deref().is_some_and(folder)
+            || inputs
+                .iter()
+                .any(|input| matches!(input, Input::File(path) if path.is_dir()))
+    }
+
     /// The place of the certificate.
     pub fn target(&self, curve: &Input) -> Result<Option<Target>, Failure> {
         Target::new(self.output.as_deref(), curve)

@@ -17,6 +17,7 @@ use super::msd::{Width, parse_width};
 use super::output_file::{Common, Format, Target, encoding};
 use super::progress::Progress;
 use super::report::{Written, parameter};
+use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::bounds::leaves_in_words;
 use crate::cli::failure::Failure;
@@ -30,8 +31,9 @@ use crate::cli::thickness_words::{ThicknessLine, in_words, subject};
 /// in the convention "critical", it is the reach. The output is an interval that contains it; all that is printed as proved has been replayed by the checker.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
-    curve: Input,
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input. Several files, or a folder, make a batch.
+    #[arg(required = true)]
+    pub curve: Vec<Input>,
     /// Which chords count for the minimum separation distance; an open curve needs "critical".
     #[arg(long, value_enum, default_value_t = ConventionName::Smooth)]
     convention: ConventionName,
@@ -42,7 +44,7 @@ pub struct Arguments {
     #[arg(long, value_name = "LEAVES", value_parser = clap::value_parser!(u64).range(1..))]
     budget: Option<u64>,
     #[command(flatten)]
-    common: Common,
+    pub common: Common,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -77,8 +79,8 @@ struct ForPrograms {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let target = arguments.common.target(&arguments.curve)?;
-    let file = arguments.common.read(&arguments.curve)?;
+    let target = arguments.common.target(&arguments.curve[0])?;
+    let file = arguments.common.read(&arguments.curve[0])?;
     let options = Options {
         convention: match arguments.convention {
             ConventionName::Smooth => Convention::Smooth,
@@ -92,7 +94,8 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let start = Instant::now();
     let progress = Progress::new(arguments.common.printing.quiet);
     let found = certify(&file.curve, &options, &|part| progress.at(part));
-    let mut found = found.map_err(|error| Failure::at(&arguments.curve, error))?;
+    let mut found = found.map_err(|error| Failure::at(&arguments.curve[0], error))?;
+    search_is_over();
     progress.checking();
     let written = write(&mut found, target.as_ref(), arguments.common.format)?;
     drop(progress);
@@ -214,7 +217,7 @@ impl Report<'_> {
         let chain = self.file.curve.chain();
         let name = match &self.file.name {
             Some(name) => format!("{name:?}"),
-            None => self.arguments.curve.to_string(),
+            None => self.arguments.curve[0].to_string(),
         };
         let subject = subject(chain.closed());
         let mut text = match &self.found.status {

@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use super::msd::{Width, parse_width};
 use super::output_file::{Common, write};
+use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::failure::Failure;
 use crate::cli::input::{Input, standard_input_once};
@@ -23,8 +24,9 @@ use crate::cli::values_words::{ValuesLine, in_words};
 /// The checker recomputes every result by another formula. Distances are given as intervals.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
-    curve: Input,
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input. Several files, or a folder, make a batch.
+    #[arg(required = true)]
+    pub curve: Vec<Input>,
     /// Which operations, with commas between: point, derivative, curvature, torsion, insert_knot, remove_knot, elevate_degree, split, decompose, nearest_point,
     /// curve_distance [default: all that the curve has]
     #[arg(long, value_name = "OPERATIONS", value_delimiter = ',', value_parser = parse_kind)]
@@ -42,7 +44,7 @@ pub struct Arguments {
     #[arg(long, value_name = "WIDTH", default_value = "1e-9", allow_hyphen_values = true, value_parser = parse_width)]
     rel_width: Width,
     #[command(flatten)]
-    common: Common,
+    pub common: Common,
 }
 
 /// A position; `clap` would take a list for several values.
@@ -89,9 +91,9 @@ struct Without {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    standard_input_once(std::iter::once(&arguments.curve).chain(&arguments.other))?;
-    let target = arguments.common.target(&arguments.curve)?;
-    let file = arguments.common.read(&arguments.curve)?;
+    standard_input_once(std::iter::once(&arguments.curve[0]).chain(&arguments.other))?;
+    let target = arguments.common.target(&arguments.curve[0])?;
+    let file = arguments.common.read(&arguments.curve[0])?;
     let others = arguments
         .other
         .iter()
@@ -112,8 +114,9 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             other: Some(number),
             piece,
         } => Failure::at(&arguments.other[number], ValuesError::PointPiece { other: None, piece }),
-        error => Failure::at(&arguments.curve, error),
+        error => Failure::at(&arguments.curve[0], error),
     })?;
+    search_is_over();
     let written = write(&found.document, target.as_ref(), arguments.common.format)?;
     let seconds = start.elapsed().as_secs_f64();
     let statement = &found.document.claim.statement;
@@ -143,7 +146,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     } else if !arguments.common.printing.quiet {
         let name = match &file.name {
             Some(name) => format!("{name:?}"),
-            None => arguments.curve.to_string(),
+            None => arguments.curve[0].to_string(),
         };
         let mut text = match &reason {
             None => format!("certified: results of operations on {name}\n"),

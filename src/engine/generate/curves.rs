@@ -83,6 +83,50 @@ pub(super) fn curve(random: &mut Random, wanted: Wanted) -> FloatCurve {
     }
 }
 
+/// A curve whose control points lie near a parabola, or a twisted cubic, so that its curvature or torsion has one sign more often than not: the curve, and
+/// whether that sign is positive.
+pub(super) fn turning(random: &mut Random) -> (FloatCurve, bool) {
+    let dimension = if random.chance(60) { 2 } else { 3 };
+    let degree = dimension + random.weighted(&[40, 35, 25]);
+    let spans = if random.chance(60) {
+        1
+    } else {
+        random.whole(2, 3) as usize
+    };
+    let mut knots = vec![0.0; degree + 1];
+    knots.extend((1..spans).map(|i| i as f64 / spans as f64));
+    knots.extend(vec![1.0; degree + 1]);
+    let count = degree + spans;
+    // Whole numbers, or full ones.
+    let noise = |random: &mut Random, whole: bool| match whole {
+        true => random.whole(-1, 1) as f64,
+        false => 2.0 * random.unit() - 1.0,
+    };
+    let (whole, mirrored) = (random.chance(50), random.chance(50));
+    let points = (0..count).map(|k| {
+        let t = k as f64 - (count / 2) as f64;
+        let mut point: Vec<f64> = [6.0 * t, 4.0 * t * t, 2.0 * t * t * t][..dimension]
+            .iter()
+            .map(|x| x + noise(random, whole))
+            .collect();
+        if mirrored {
+            point[0] = -point[0];
+        }
+        point
+    });
+    let points = points.collect();
+    let weights = random
+        .chance(25)
+        .then(|| (0..count).map(|_| random.whole(2, 4) as f64).collect());
+    let curve = FloatCurve {
+        degree,
+        knots,
+        points,
+        weights,
+    };
+    (curve, !mirrored)
+}
+
 /// Low degrees more often, Bézier curves now and then of a degree up to 25.
 fn degree(random: &mut Random, bezier: bool, most: usize) -> usize {
     if bezier && most > 9 && random.chance(10) {

@@ -15,8 +15,8 @@ use random::Random;
 use super::{Case, CaseSide, CasesFile, FloatCurve, Operation};
 use crate::curve::{BSpline, Curve, Form, MAXIMUM_DEGREE};
 
-/// The operations that cases are made for when none are named.
-pub const GENERATED: [&str; 12] = [
+/// The operations that cases can be made for.
+pub const GENERATED: [&str; 13] = [
     "point",
     "derivative",
     "curvature",
@@ -29,7 +29,10 @@ pub const GENERATED: [&str; 12] = [
     "nearest_point",
     "curve_distance",
     "msd",
+    ONLY_NAMED,
 ];
+/// Made only when it is named: few engines have anything of the kind.
+const ONLY_NAMED: &str = "convex_domain";
 
 /// What cases to make.
 #[derive(Debug, Clone)]
@@ -38,7 +41,7 @@ pub struct Options {
     pub seed: u64,
     /// How many cases.
     pub count: usize,
-    /// Which operations, by turns: some of [`GENERATED`]; all of them when empty.
+    /// Which operations, by turns: some of [`GENERATED`]; all of them but `convex_domain` when empty.
     pub operations: Vec<&'static str>,
     /// Curves to ask about; made ones when empty.
     pub curves: Vec<FloatCurve>,
@@ -64,8 +67,9 @@ pub fn float_curves(curve: &Curve) -> Vec<FloatCurve> {
 
 /// Makes the cases. Every one is valid: the strict reader accepts what is written of them.
 pub fn generate(options: &Options) -> CasesFile {
+    let usual: Vec<&str> = GENERATED.into_iter().filter(|name| *name != ONLY_NAMED).collect();
     let operations: &[&str] = match options.operations.as_slice() {
-        [] => &GENERATED,
+        [] => &usual,
         some => some,
     };
     let cases = (0..options.count).map(|i| {
@@ -103,6 +107,11 @@ const SIMPLE: Wanted = Wanted {
 };
 
 fn case(random: &mut Random, name: &str, corpus: &[FloatCurve]) -> (FloatCurve, Operation) {
+    if name == ONLY_NAMED
+        && let Some(case) = domain(random, corpus)
+    {
+        return case;
+    }
     let wanted = match name {
         "torsion" => Wanted {
             dimension: Some(3),
@@ -171,6 +180,29 @@ fn case(random: &mut Random, name: &str, corpus: &[FloatCurve]) -> (FloatCurve, 
         },
     };
     (curve, operation)
+}
+
+/// A control point of a curve that turns, or twists, one way for the most part; nothing when the corpus has none of a sufficient degree.
+fn domain(random: &mut Random, corpus: &[FloatCurve]) -> Option<(FloatCurve, Operation)> {
+    let fitting: Vec<&FloatCurve> = corpus
+        .iter()
+        .filter(|curve| curve.degree >= curve.dimension())
+        .collect();
+    let (curve, positive) = match fitting.len() {
+        0 if corpus.is_empty() => curves::turning(random),
+        0 => return None,
+        count => (fitting[random.below(count)].clone(), random.chance(50)),
+    };
+    let size = curve.points.iter().flatten().fold(1.0_f64, |most, x| most.max(x.abs()));
+    let half_width =
+        2_f64.powi(size.log2().ceil() as i32 - random.whole(0, 4) as i32) * random.whole(3, 5) as f64 / 4.0;
+    let operation = Operation::ConvexDomain {
+        point: random.below(curve.points.len()),
+        half_width,
+        level: random.weighted(&[20, 25, 25, 20, 10]) as u32,
+        positive: if random.chance(85) { positive } else { !positive },
+    };
+    Some((curve, operation))
 }
 
 fn side(random: &mut Random) -> CaseSide {

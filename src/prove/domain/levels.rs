@@ -87,6 +87,11 @@ impl<'a, const D: usize> Levels<'a, D> {
         })
     }
 
+    /// How many rows the present level has.
+    pub fn inequalities(&self) -> usize {
+        self.parts.iter().map(|part| part[0].len()).sum()
+    }
+
     /// The rows of the present level.
     pub fn rows(&self) -> Vec<HalfSpace<D>> {
         let mut rows = Vec::new();
@@ -101,23 +106,41 @@ impl<'a, const D: usize> Levels<'a, D> {
         rows
     }
 
+    /// The area or volume, enclosed, of the polytope that the sign at the ends of the present level's parts cuts out of the box: it contains the whole domain, and
+    /// costs nothing but rows that the level has anyway. `None` when it has no interior.
+    pub fn outer_measure(&self) -> Option<[Rational; 2]> {
+        let ends = self.parts.iter().flat_map(|part| {
+            let last = part[0].len() - 1;
+            [0, last].map(|k| HalfSpace {
+                normal: std::array::from_fn(|axis| part[axis][k].clone()),
+                constant: part[D][k].clone(),
+            })
+        });
+        match intersect(&ends.chain(self.sides()).collect::<Vec<_>>()) {
+            Intersection::Bounded(polytope) => Some(polytope.measure_enclosure(MEASURE_BITS)),
+            _ => None,
+        }
+    }
+
+    /// The sides of the box.
+    fn sides(&self) -> Vec<HalfSpace<D>> {
+        let names = (0..D).flat_map(|axis| [false, true].map(|high| crate::claim::domain::Row::Side { axis, high }));
+        let sides = names.filter_map(|side| {
+            let affine = self.context.row(&side)?.affine;
+            Some(HalfSpace {
+                normal: affine.linear.try_into().ok()?,
+                constant: affine.constant,
+            })
+        });
+        sides.collect()
+    }
+
     /// Computes the polytope of the present level, and halves every part for the next.
     pub fn step(&mut self, exact: bool) -> (Level, Option<Polytope<D>>) {
         let start = Instant::now();
         let mut rows = self.rows();
         let inequalities = rows.len();
-        for axis in 0..D {
-            for high in [false, true] {
-                if let Some(row) = self.context.row(&crate::claim::domain::Row::Side { axis, high })
-                    && let Ok(normal) = row.affine.linear.try_into()
-                {
-                    rows.push(HalfSpace {
-                        normal,
-                        constant: row.affine.constant,
-                    });
-                }
-            }
-        }
+        rows.extend(self.sides());
         let polytope = match intersect(&rows) {
             Intersection::Bounded(polytope) => Some(polytope),
             _ => None,

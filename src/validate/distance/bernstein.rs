@@ -6,6 +6,8 @@ use crate::number::{Integer, Rational, RationalExt};
 /// Bits after the binary point of coefficients relative to the largest: squared weights over six orders of magnitude on both sides
 /// take 80 of them, squared distances the rest.
 const BITS: i64 = 240;
+/// Bits of λ that choose a direction.
+const COARSE: i64 = 64;
 /// The most halvings in one direction.
 const DEEPEST: u32 = 60;
 
@@ -95,9 +97,14 @@ impl Pair {
         (half(self.start.0, self.depth.0), half(self.start.1, self.depth.1))
     }
 
-    /// Two halves, in the direction in which the coefficients differ more.
-    pub(super) fn halves(&self) -> (Pair, Pair) {
-        let in_u = self.spread(true) >= self.spread(false);
+    /// Two halves, in the direction in which the coefficients of G − λD differ more, λ = `squared` to some digits. Those of G alone would not do: where weights differ, G follows
+    /// D in one direction however small the part is.
+    pub(super) fn halves(&self, squared: &Rational) -> (Pair, Pair) {
+        let shift = (COARSE - squared.numer().bits() as i64 + squared.denom().bits() as i64).max(0) as u32;
+        let factor = squared.floor_shifted(shift);
+        let entries = self.numerator.iter().zip(&self.denominator);
+        let difference: Vec<Integer> = entries.map(|(g, h)| (g << shift) - h * &factor).collect();
+        let in_u = self.spread(&difference, true) >= self.spread(&difference, false);
         let (first, second) = split(&self.numerator, self.degrees, in_u, false);
         let (first_denominator, second_denominator) = split(&self.denominator, self.degrees, in_u, true);
         let half = |numerator, denominator, step: bool| {
@@ -125,14 +132,14 @@ impl Pair {
         )
     }
 
-    /// The largest difference of neighbouring coefficients of G in one direction; −1 in a direction of degree 0.
-    fn spread(&self, in_u: bool) -> Integer {
+    /// The largest difference of neighbouring coefficients in one direction; −1 in a direction of degree 0.
+    fn spread(&self, coefficients: &[Integer], in_u: bool) -> Integer {
         let row = self.degrees.1 + 1;
         let step = if in_u { row } else { 1 };
         let mut most = Integer::from(-1);
-        for i in 0..self.numerator.len().saturating_sub(step) {
+        for i in 0..coefficients.len().saturating_sub(step) {
             if in_u || (i + 1) % row != 0 {
-                let difference = (&self.numerator[i + step] - &self.numerator[i]).abs();
+                let difference = (&coefficients[i + step] - &coefficients[i]).abs();
                 most = most.max(difference);
             }
         }

@@ -13,9 +13,10 @@ use crate::number::{Rational, RationalExt, sqrt_enclosure};
 use bernstein::Pair;
 use search::{FloatPiece, Start};
 
-/// How far apart the two bounds may be, relative to the largest coordinate.
-const RELATIVE_WIDTH: f64 = 1e-12;
-/// The most pairs of parts looked at; then the lower bound stays open.
+/// How far apart the two bounds may be, relative to the largest coordinate: the first width for which few enough parts suffice. Where curves run at a constant
+/// distance, the number of parts grows with the root of the width.
+const RELATIVE_WIDTHS: [f64; 4] = [1e-12, 1e-10, 1e-8, 1e-7];
+/// The most pairs of parts looked at for a width; after the last the lower bound stays open.
 const MOST_PARTS: usize = 30_000;
 /// Bits of square roots.
 const ROOT_BITS: u32 = 90;
@@ -158,20 +159,39 @@ fn enclose(first: &[ExactPiece], second: &[ExactPiece], scale: f64) -> Enclosure
             }
         }
     }
-    let width = Rational::from_f64(scale * RELATIVE_WIDTH).unwrap_or_default();
+    let nearer = |best: &mut Best, i: usize, j: usize, middle: Start| {
+        let nearer = search::descend(&first_floats[i], &second_floats[j], middle);
+        best.try_at(&first[i], &second[j], nearer);
+    };
+    let middle = |i: usize, j: usize, (u, v): (f64, f64)| search::at(&first_floats[i], &second_floats[j], u, v);
+    let lower = RELATIVE_WIDTHS.into_iter().find_map(|width| {
+        let whole = || pairs().map(|(i, j)| (i, j, Pair::new(&first[i], &second[j], scale)));
+        let width = Rational::from_f64(scale * width)?;
+        proved(whole, &width, &mut best, &middle, &nearer)
+    });
+    Enclosure {
+        lower: lower.unwrap_or_default(),
+        upper: sqrt_enclosure(&best.squared, ROOT_BITS).1,
+        upper_squared: best.squared,
+        parameters: best.parameters,
+    }
+}
+
+/// A lower bound at most `width` below the best distance known, which may become less on the way; nothing when that takes too many parts.
+fn proved<P: Iterator<Item = (usize, usize, Pair)>>(
+    whole: impl Fn() -> P,
+    width: &Rational,
+    best: &mut Best,
+    middle_of: &dyn Fn(usize, usize, (f64, f64)) -> Start,
+    follow: &dyn Fn(&mut Best, usize, usize, Start),
+) -> Option<Rational> {
     let zero = Rational::default();
-    let below = |best: &Best| {
-        let lower = sqrt_enclosure(&best.squared, ROOT_BITS).0 - &width;
-        if lower < zero { zero.clone() } else { lower }
-    };
-    let mut lower = below(&best);
-    let mut parts: Vec<(usize, usize, Pair)> = if lower > zero {
-        pairs()
-            .map(|(i, j)| (i, j, Pair::new(&first[i], &second[j], scale)))
-            .collect()
-    } else {
-        Vec::new()
-    };
+    let below = |best: &Best| (sqrt_enclosure(&best.squared, ROOT_BITS).0 - width).max(zero.clone());
+    let mut lower = below(best);
+    if lower == zero {
+        return Some(zero);
+    }
+    let mut parts: Vec<(usize, usize, Pair)> = whole().collect();
     let mut bound = &lower * &lower;
     let mut looked_at = 0;
     while let Some((i, j, pair)) = parts.pop() {
@@ -180,27 +200,19 @@ fn enclose(first: &[ExactPiece], second: &[ExactPiece], scale: f64) -> Enclosure
         }
         looked_at += 1;
         if looked_at > MOST_PARTS || pair.is_tiny() {
-            lower = zero;
-            break;
+            return None;
         }
-        let (u, v) = pair.middle();
-        let middle = search::at(&first_floats[i], &second_floats[j], u, v);
+        let middle = middle_of(i, j, pair.middle());
         if middle.squared < best.float {
-            let nearer = search::descend(&first_floats[i], &second_floats[j], middle);
-            best.try_at(&first[i], &second[j], nearer);
-            lower = below(&best);
+            follow(best, i, j, middle);
+            lower = below(best);
             bound = &lower * &lower;
         }
-        let (a, b) = pair.halves();
+        let (a, b) = pair.halves(&bound);
         parts.push((i, j, a));
         parts.push((i, j, b));
     }
-    Enclosure {
-        lower,
-        upper: sqrt_enclosure(&best.squared, ROOT_BITS).1,
-        upper_squared: best.squared,
-        parameters: best.parameters,
-    }
+    Some(lower)
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ fn assert_encloses(found: &Enclosure, distance: f64, scale: f64) {
         lower <= distance + 1e-15 && distance <= upper + 1e-15,
         "{lower} {distance} {upper}"
     );
-    assert!(upper - lower <= 1.001 * scale * RELATIVE_WIDTH, "{lower} {upper}");
+    assert!(upper - lower <= 1.001 * scale * RELATIVE_WIDTHS[0], "{lower} {upper}");
 }
 
 #[test]
@@ -47,8 +47,26 @@ fn between_curves() {
     let found = between(&a, &b, 5.0);
     assert!(found.upper_squared <= Rational::new(181.into(), 1024.into()));
     assert_encloses(&found, found.upper.to_f64(), 5.0);
+    // Weights that grow along a curve: what tells in which direction to halve is the distance, not its product with them.
+    let curved = curve(&[[5.0, -5.0], [0.0, 1.0], [3.0, -2.0]], None);
+    let weighted = curve(&[[-2.0, 0.0], [3.0, -5.0], [1.0, -4.0]], Some(&[1e-3, 100.0, 1.0]));
+    let found = between(&curved, &weighted, 5.0);
+    assert_encloses(&found, 1.539_640_136_517_276_7, 5.0);
     // Weights of six orders of magnitude.
     let heavy = curve(&[[0.0, 4.0], [1.0, 2.0], [2.0, 4.0]], Some(&[1e-3, 1e3, 1.0]));
     let found = between(&below, &heavy, 4.0);
     assert_encloses(&found, found.upper.to_f64(), 4.0);
+}
+
+#[test]
+fn curves_at_constant_distance() {
+    // Arcs of two circles around the origin, and two parallel lines: too many parts for the first width, few enough for another.
+    let arc = |r: f64| curve(&[[r, 0.0], [r, r], [0.0, r]], Some(&[1.0, 1.0, 2.0]));
+    let line = |y: f64| curve(&[[0.0, y], [3.0, y]], None);
+    for (a, b) in [(arc(1.0), arc(2.0)), (line(0.0), line(1.0))] {
+        let found = between(&a, &b, 3.0);
+        let (lower, upper) = (found.lower.to_f64(), found.upper.to_f64());
+        assert!(lower <= 1.0 && upper >= 1.0 && lower > 1.0 - 1e-6, "{lower} {upper}");
+        assert!(upper < 1.0 + 1e-12, "{upper}");
+    }
 }

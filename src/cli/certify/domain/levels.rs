@@ -21,7 +21,7 @@ const TABLE_DIGITS: usize = 6;
 impl Arguments {
     /// The paper's algorithm.
     pub fn levels<const D: usize>(&self, file: &CurveFile, problem: &Problem) -> Result<Exit, Failure> {
-        let context = Context::new(&file.curve, &problem.domain).map_err(|error| Failure::at(&self.curve, error))?;
+        let context = Context::new(&file.curve, &problem.domain).map_err(|error| Failure::at(&self.curve[0], error))?;
         let degree = match self.degree {
             Some(DegreeName::Paper) => Degree::Paper,
             _ => Degree::True,
@@ -30,7 +30,7 @@ impl Arguments {
         let polynomial = |piece: usize| chain.pieces()[piece].is_polynomial();
         let mut levels = Levels::<D>::new(&context, degree, polynomial).map_err(|piece| {
             let what = format!("--degree paper is for polynomial pieces, and piece {piece} is rational");
-            Failure::at(&self.curve, what)
+            Failure::at(&self.curve[0], what)
         })?;
         let tolerance = self.tolerance(false);
         let mut done = Vec::new();

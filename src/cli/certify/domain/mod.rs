@@ -15,6 +15,7 @@ use knotproof::prove::linear_program::GoodLp;
 use report::Report;
 
 use super::output_file::{Common, write};
+use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::failure::Failure;
 use crate::cli::input::Input;
@@ -28,8 +29,9 @@ const MOST_LEVELS: u32 = 24;
 /// --degree or --level the algorithm of Ginnis, Karousos and Kaklis (2009) runs instead, level by level, and no certificate is made.
 #[derive(Args)]
 pub struct Arguments {
-    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input.
-    curve: Input,
+    /// The curve, a file of version curve/1 or of a format that `import` reads; "-" is standard input. Several files, or a folder, make a batch.
+    #[arg(required = true)]
+    pub curve: Vec<Input>,
     /// The free control point, from 0; of Bézier pieces each joint counts once.
     #[arg(long, value_name = "INDEX")]
     point: usize,
@@ -78,17 +80,26 @@ pub struct Arguments {
     #[arg(long, value_name = "ROWS", default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..))]
     budget: u32,
     #[command(flatten)]
-    common: Common,
+    pub common: Common,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
-enum SignName {
+pub(in crate::cli) enum SignName {
     /// Greater than 0
     #[value(name = "+", alias = "plus")]
     Plus,
     /// Less than 0
     #[value(name = "-", alias = "minus")]
     Minus,
+}
+
+impl From<SignName> for Sign {
+    fn from(name: SignName) -> Sign {
+        match name {
+            SignName::Plus => Sign::Positive,
+            SignName::Minus => Sign::Negative,
+        }
+    }
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -101,17 +112,17 @@ enum DegreeName {
 
 /// Coordinates, as one argument.
 #[derive(Clone)]
-struct Coordinates(Vec<Rational>);
+pub(in crate::cli) struct Coordinates(pub Vec<Rational>);
 
-fn number(text: &str) -> Result<Rational, String> {
+pub(in crate::cli) fn number(text: &str) -> Result<Rational, String> {
     parse_number(text, Meaning::Decimal).map_err(|error| error.to_string())
 }
 
-fn coordinates(text: &str) -> Result<Coordinates, String> {
+pub(in crate::cli) fn coordinates(text: &str) -> Result<Coordinates, String> {
     text.split(',').map(number).collect::<Result<_, _>>().map(Coordinates)
 }
 
-fn tolerance(text: &str) -> Result<Rational, String> {
+pub(in crate::cli) fn tolerance(text: &str) -> Result<Rational, String> {
     let value = number(text)?;
     if value <= Rational::from_integer(0.into()) {
         return Err("expected a tolerance greater than 0".into());
@@ -121,8 +132,8 @@ fn tolerance(text: &str) -> Result<Rational, String> {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let target = arguments.common.target(&arguments.curve)?;
-    let file = arguments.common.read(&arguments.curve)?;
+    let target = arguments.common.target(&arguments.curve[0])?;
+    let file = arguments.common.read(&arguments.curve[0])?;
     let problem = arguments.problem(&file)?;
     if arguments.degree.is_some() || arguments.level.is_some() {
         return match file.curve.dimension() {
@@ -144,13 +155,14 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         None => certify(&file.curve, &problem, &options),
         Some(about) => arguments.answer(&file, &problem, about, &options)?,
     };
+    search_is_over();
     let written = match &found.document {
         None => None,
         Some(document) => write(document, target.as_ref(), arguments.common.format)?,
     };
     let report = Report {
         exact_measure: arguments.exact_measure,
-        input: &arguments.curve,
+        input: &arguments.curve[0],
         file: &file,
         problem: &problem,
         document: found.document.as_ref(),
@@ -213,7 +225,7 @@ impl Arguments {
             Err(error @ AnswerError::Refuted(_)) => Err(Failure::new(format!(
                 "{error}; this is an error of knotproof, please report it"
             ))),
-            Err(error) => Err(Failure::at(&self.curve, error)),
+            Err(error) => Err(Failure::at(&self.curve[0], error)),
         }
     }
 
@@ -228,16 +240,13 @@ impl Arguments {
         };
         let question = Question {
             point: self.point,
-            sign: self.sign.map(|sign| match sign {
-                SignName::Plus => Sign::Positive,
-                SignName::Minus => Sign::Negative,
-            }),
+            sign: self.sign.map(Sign::from),
             interval: self
                 .interval
                 .as_ref()
                 .and_then(|ends| <[Rational; 2]>::try_from(ends.clone()).ok()),
             bounds,
         };
-        Problem::new(&file.curve, &question).map_err(|error| Failure::at(&self.curve, error))
+        Problem::new(&file.curve, &question).map_err(|error| Failure::at(&self.curve[0], error))
     }
 }

@@ -1,24 +1,32 @@
 //! `knotproof compare`: the numbers of papers beside certified ones, as a table.
 
+mod domain;
+mod peers;
+mod picture;
+
 use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use knotproof::compare::{Options, Row, Standing, Value, compare};
+use knotproof::compare::{Comparison, Options, Row, Standing, Value, compare};
 use knotproof::curve::CurveFile;
 use knotproof::number::{Meaning, Rational, RationalExt, parse_number};
 use serde::Serialize;
 
-use super::certify::progress::Progress;
-use super::failure::Failure;
-use super::input::Input;
-use super::output::{say, say_json};
-use super::{Exit, Printing};
+use crate::cli::atomic_file::AtomicFile;
+use crate::cli::certify::progress::Progress;
+use crate::cli::failure::Failure;
+use crate::cli::input::Input;
+use crate::cli::output::{say, say_json};
+use crate::cli::{Exit, Printing};
 
 /// What papers compute of a curve, beside what is certified
 ///
 /// For a polynomial curve: the numbers of Cassidy, Peters and Jordan (2012), of the method before theirs, and what their polygon proves; for every curve: σ, embedding, curvature, thickness and the
-/// deviation of the control polygon, certified and replayed by the checker. "as printed" stands at numbers of a paper's formulas that are not proved of the curve. The exit code is 3 when a certified
+/// deviation of the control polygon, certified and replayed by the checker. With --point also the levels of Ginnis, Karousos and Kaklis (2009) for the convex domain of that control point, beside the certified
+/// domain. "as printed" stands at numbers of a paper's formulas that are not proved of the curve. The exit code is 3 when a certified
 /// row is undecided.
 #[derive(Args)]
 pub struct Arguments {
@@ -30,15 +38,22 @@ pub struct Arguments {
     /// ε_d, the tolerance of the test for double normals: a positive decimal or fraction.
     #[arg(long, value_name = "TOLERANCE", default_value = "0.01", allow_hyphen_values = true, value_parser = parse_tolerance)]
     epsilon_d: Rational,
+    #[command(flatten)]
+    domain: domain::DomainArguments,
+    #[command(flatten)]
+    peers: peers::PeerArguments,
     /// The form of the table.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// Draw the bounds on one axis, and the errors of the levels, as SVG to this file.
+    #[arg(long, value_name = "FILE.svg")]
+    picture: Option<PathBuf>,
     /// Where a Bézier piece does not start exactly where the one before ends, move its start there.
     #[arg(long)]
     snap_joints: bool,
     #[cfg(feature = "import")]
     #[command(flatten)]
-    reading: super::reading::Reading,
+    reading: crate::cli::reading::Reading,
     /// What is printed.
     #[command(flatten)]
     printing: Printing,
@@ -70,6 +85,8 @@ struct ForPrograms<'r> {
     curve: Option<&'r str>,
     delta: String,
     epsilon_d: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    domain: Option<domain::DomainLine>,
     rows: Vec<RowLine<'r>>,
     seconds: f64,
 }
@@ -100,7 +117,7 @@ impl<'r> RowLine<'r> {
         let (lower, upper) = row.value.decimals();
         RowLine {
             method: row.method,
-            key: row.key,
+            key: &row.key,
             quantity: &row.quantity,
             standing: row.standing.name(),
             lower,
@@ -121,6 +138,15 @@ impl<'r> RowLine<'r> {
 
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    let picture = arguments.picture.as_deref().map(AtomicFile::new).transpose()?;
+    if let (Some(picture), Input::File(curve)) = (&picture, &arguments.curve)
+        && picture.replaces(curve)
+    {
+        return Err(Failure::at(
+            picture.path().display(),
+            "the picture would replace the curve",
+        ));
+    }
     #[cfg(feature = "import")]
     let (file, _) = arguments
         .curve
@@ -130,33 +156,52 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let options = Options {
         delta: arguments.delta.clone(),
         epsilon_d: arguments.epsilon_d.clone(),
+        domain: arguments.domain.options()?,
+        peers: arguments.peers.options(),
         ..Options::default()
     };
     let start = Instant::now();
     let progress = Progress::new(arguments.printing.quiet);
-    let rows = compare(&file.curve, &options, &|part| progress.at(part))
+    let comparison = compare(&file.curve, &options, &|part| progress.at(part))
         .map_err(|error| Failure::at(&arguments.curve, error))?;
     drop(progress);
+    let Comparison { rows, domain } = &comparison;
     let seconds = start.elapsed().as_secs_f64();
+    if let Some(target) = &picture {
+        let chart = picture::chart(title(arguments, &file), &comparison, arguments.domain.tolerance());
+        let mut file = target.begin()?;
+        file.write_all(chart.svg().as_bytes())
+            .map_err(|error| target.failure(&error))?;
+        target.finish(file)?;
+    }
     let json = arguments.printing.json || arguments.format == Format::Json;
     if json {
         say_json(&ForPrograms {
             curve: file.name.as_deref(),
             delta: options.delta.format(),
             epsilon_d: options.epsilon_d.format(),
+            domain: domain.as_ref().map(domain::DomainLine::new),
             rows: rows.iter().map(RowLine::new).collect(),
             seconds,
         })?;
     } else if !arguments.printing.quiet {
         say(&match arguments.format {
-            Format::Markdown => markdown(&rows),
-            Format::Csv => csv(&rows),
-            _ => words(arguments, &file, &rows, seconds),
+            Format::Markdown => markdown(rows),
+            Format::Csv => csv(rows),
+            _ => words(arguments, &file, &comparison, seconds),
         })?;
     }
     match rows.iter().any(|row| row.standing == Standing::Undecided) {
         true => Ok(Exit::Undecided),
         false => Ok(Exit::Success),
+    }
+}
+
+/// The heading of the picture.
+fn title(arguments: &Arguments, file: &CurveFile) -> String {
+    match &file.name {
+        Some(name) => format!("Bounds for {name}"),
+        None => format!("Bounds for {}", arguments.curve),
     }
 }
 
@@ -170,13 +215,17 @@ fn value(row: &Row) -> String {
     }
 }
 
-fn words(arguments: &Arguments, file: &CurveFile, rows: &[Row], seconds: f64) -> String {
+fn words(arguments: &Arguments, file: &CurveFile, comparison: &Comparison, seconds: f64) -> String {
+    let rows = &comparison.rows;
     let name = match &file.name {
         Some(name) => format!("{name:?}"),
         None => arguments.curve.to_string(),
     };
     let (delta, epsilon_d) = (arguments.delta.format(), arguments.epsilon_d.format());
     let mut text = format!("{name}, δ = {delta}, ε_d = {epsilon_d}\n");
+    if let Some(domain) = &comparison.domain {
+        let _ = writeln!(text, "{}", domain::words(domain));
+    }
     let width = |of: &dyn Fn(&Row) -> usize| rows.iter().map(of).max().unwrap_or(0);
     let quantities = width(&|row| columns(&row.quantity));
     let values = width(&|row| value(row).chars().count());
@@ -225,7 +274,7 @@ fn csv(rows: &[Row]) -> String {
         let (lower, upper) = row.value.decimals();
         let cells = [
             row.method,
-            row.key,
+            row.key.as_ref(),
             &row.quantity,
             row.standing.name(),
             lower.as_deref().unwrap_or(""),
