@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use knotproof::certificate::{self, Document};
 use knotproof::check::{Verdict, check};
-use knotproof::curve::read_curve;
+use knotproof::curve::{Curve, read_curve};
+#[cfg(feature = "import")]
+use knotproof::import::{Format, detect};
 use knotproof::show::{Picture, Report, Scene, View, html, svg};
 use serde::Serialize;
 
@@ -16,6 +18,8 @@ use super::check::statement;
 use super::failure::Failure;
 use super::input::Input;
 use super::output::{say, say_json};
+#[cfg(feature = "import")]
+use super::reading::Reading;
 use super::{Exit, Printing};
 
 /// Draw a curve, or what a certificate proves, as SVG or as an HTML report
@@ -24,18 +28,21 @@ use super::{Exit, Printing};
 /// turns, the statement, the leaves of the cover tree, and the certificate with the checker, which checks it again in the page.
 #[derive(Args)]
 pub struct Arguments {
-    /// A certificate or a curve; "-" is standard input.
+    /// A certificate, a curve, or a file of another format with a curve; "-" is standard input.
     #[arg(value_name = "FILE")]
     file: Input,
     /// Where to: a name that ends in .svg or .html. Without it an SVG drawing goes to standard output.
     #[arg(long, short, value_name = "PICTURE")]
     output: Option<PathBuf>,
-    /// A view of a drawing in space: xy, xz, yz, or the direction towards the eye, as in 1,-2,1; may be given several times [default: xy, xz and yz]
+    /// A view of a drawing: xy, xz, yz, x-y for a plane with y downward as in SVG files, or the direction towards the eye, as in 1,-2,1; may be given several times [default: xy, xz and yz]
     #[arg(long, value_name = "VIEW", allow_hyphen_values = true)]
     view: Vec<View>,
     /// The heading [default: the curve's name, or the file's]
     #[arg(long)]
     title: Option<String>,
+    #[cfg(feature = "import")]
+    #[command(flatten)]
+    reading: Reading,
     #[command(flatten)]
     printing: Printing,
 }
@@ -76,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     source
         .read_to_end(&mut bytes)
         .map_err(|error| arguments.file.unreadable(&error))?;
-    let subject = match subject(&arguments.file, &bytes)? {
+    let subject = match subject(arguments, &bytes)? {
         Ok(subject) => subject,
         Err(reason) => {
             if !arguments.printing.quiet {
@@ -125,10 +132,22 @@ struct Subject {
     statement: Vec<String>,
     is_certificate: bool,
     binary: bool,
+    /// From a file in which y grows downwards.
+    upside_down: bool,
 }
 
 /// The subject of a file, or why its certificate is rejected.
-fn subject(input: &Input, bytes: &[u8]) -> Result<Result<Subject, String>, Failure> {
+fn subject(arguments: &Arguments, bytes: &[u8]) -> Result<Result<Subject, String>, Failure> {
+    let input = &arguments.file;
+    #[cfg(feature = "import")]
+    if let Some(format) = detect(bytes).filter(|format| *format != Format::Curve) {
+        let (file, _) = arguments.reading.one_curve(input, bytes)?;
+        let name = file.name.clone().unwrap_or_else(|| input.to_string());
+        return Ok(Ok(Subject {
+            upside_down: format == Format::Svg,
+            ..of_curve(name, &file.curve)
+        }));
+    }
     let name = |name: Option<&String>| name.cloned().unwrap_or_else(|| input.to_string());
     let document = match check(bytes) {
         Verdict::Accepted { document, .. } => document,
@@ -141,19 +160,24 @@ fn subject(input: &Input, bytes: &[u8]) -> Result<Result<Subject, String>, Failu
                 }
                 return Ok(Err(error.to_string()));
             };
-            return Ok(Ok(Subject {
-                name: name(file.name.as_ref()),
-                scene: Scene::of_curve(&file.curve),
-                statement: Vec::new(),
-                is_certificate: false,
-                binary: false,
-            }));
+            return Ok(Ok(of_curve(name(file.name.as_ref()), &file.curve)));
         }
     };
     let name = name(document.name.as_ref());
     Ok(Ok(
         of_certificate(name, &document, bytes).map_err(|what| Failure::at(input, what))?
     ))
+}
+
+fn of_curve(name: String, curve: &Curve) -> Subject {
+    Subject {
+        name,
+        scene: Scene::of_curve(curve),
+        statement: Vec::new(),
+        is_certificate: false,
+        binary: false,
+        upside_down: false,
+    }
 }
 
 /// The subject of a certificate that was accepted.
@@ -171,6 +195,7 @@ fn of_certificate(name: String, document: &Document, bytes: &[u8]) -> Result<Sub
         statement: lines,
         is_certificate: true,
         binary: bytes.starts_with(b"KNOTCRT1"),
+        upside_down: false,
     })
 }
 
@@ -180,8 +205,12 @@ pub fn drawings(
     document: &Document,
     bytes: &[u8],
     report: bool,
+    upside_down: bool,
 ) -> Result<(String, Option<String>), String> {
-    let subject = || of_certificate(title.into(), document, bytes);
+    let subject = || -> Result<Subject, String> {
+        let subject = of_certificate(title.into(), document, bytes)?;
+        Ok(Subject { upside_down, ..subject })
+    };
     let picture = subject()?.draw(None, &[], Form::Svg, bytes);
     let report = match report {
         true => Some(subject()?.draw(None, &[], Form::Html, bytes)),
@@ -215,6 +244,7 @@ impl Subject {
         match form {
             Form::Svg => {
                 let views = match views {
+                    [] if self.upside_down => vec![View::downward()],
                     [] => View::usual(self.scene.dimension),
                     views => views.to_vec(),
                 };

@@ -207,6 +207,7 @@ fn axes(out: &mut String, panel: &Panel) {
         let (values, decimals) = ticks(panel.low[1], panel.high[1], fit(tall, 40.0));
         for value in values {
             let y = top + (panel.high[1] - value) * panel.scale;
+            let value = if panel.view.is_downward() { 0.0 - value } else { value };
             line(out, "axis", [left - 4.0, y], [left, y]);
             text(
                 out,
@@ -218,6 +219,7 @@ fn axes(out: &mut String, panel: &Panel) {
         }
     }
     let name = match panel.view.axes {
+        Some([right, up]) if panel.view.is_downward() => format!("{right} to the right, {up} down"),
         Some([right, up]) => format!("{right} to the right, {up} up"),
         None => format!("seen {}", panel.view.name),
     };

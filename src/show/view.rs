@@ -25,7 +25,9 @@ pub struct ViewError;
 
 impl fmt::Display for ViewError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("expected xy, xz, yz, or the direction towards the eye as three numbers, such as 1,-2,1")
+        f.write_str(
+            "expected xy, xz, yz, x-y (y downward), or the direction towards the eye as three numbers, such as 1,-2,1",
+        )
     }
 }
 
@@ -42,6 +44,20 @@ impl View {
             up: unit(up),
             axes: Some([letters[right], letters[up]]),
         }
+    }
+
+    /// The plane with y downward, as in files of drawings: `x-y`.
+    pub fn downward() -> View {
+        View {
+            name: "x-y".into(),
+            up: [0.0, -1.0, 0.0],
+            ..View::of_axes(0, 1)
+        }
+    }
+
+    /// Does the second axis go down?
+    pub fn is_downward(&self) -> bool {
+        self.axes.is_some() && self.up.iter().sum::<f64>() < 0.0
     }
 
     /// The views of a curve unless others are asked for: the plane, or front, top and side of space.
@@ -94,6 +110,9 @@ fn cross(a: &Point, b: &Point) -> Point {
 impl FromStr for View {
     type Err = ViewError;
     fn from_str(text: &str) -> Result<View, ViewError> {
+        if text == "x-y" {
+            return Ok(View::downward());
+        }
         let axes: Vec<Option<usize>> = text.chars().map(|c| "xyz".find(c)).collect();
         if let [Some(right), Some(up)] = axes[..]
             && right != up
@@ -122,6 +141,11 @@ mod tests {
             assert!(dot(&view.right, &view.up).abs() < 1e-12);
         }
         assert_eq!("xz".parse::<View>().unwrap().project(&[1.0, 2.0, 3.0]), [1.0, 3.0]);
+        let down: View = "x-y".parse().unwrap();
+        assert_eq!(
+            (down.project(&[1.0, 2.0, 3.0]), down.is_downward()),
+            ([1.0, -2.0], true)
+        );
         for text in ["", "xx", "xw", "1,2", "0,0,0", "1,2,nan", "1,2,3,4"] {
             assert!(text.parse::<View>().is_err(), "{text}");
         }

@@ -109,3 +109,18 @@ fn wrong_usage() {
     fs::write(&curve, "{ \"knotproof\": \"curve/1\", \"bezier\": { \"pieces\": [] } }").unwrap();
     run(["show", text(&curve)]).expect_error(&["curve.json", "pieces"]);
 }
+
+#[test]
+#[cfg(feature = "import")]
+fn a_drawing_stands_as_in_its_file() {
+    let told = run(["show", "tests/import/drawing.svg"]).expect(2).err;
+    assert!(told.contains("--select"), "{told}");
+    let picture = run(["show", "tests/import/drawing.svg", "--select", "0"]).expect(0).out;
+    assert!(picture.contains("x to the right, y down"), "{picture}");
+    let upward = run(["show", "tests/import/drawing.svg", "--select", "0", "--view", "xy"])
+        .expect(0)
+        .out;
+    assert!(upward.contains("x to the right, y up"), "{upward}");
+    let turned = run(["show", "certs/curves/square.json", "--view", "x-y"]).expect(0).out;
+    assert!(turned.contains("x to the right, y down"), "{turned}");
+}

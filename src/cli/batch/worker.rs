@@ -188,7 +188,13 @@ impl Batch<'_> {
         let show = self.order.many.show.filter(|show| *show >= Show::Pictures);
         if let Some(show) = show {
             let title = format!("{} {}", subject.input, subject.curve.as_deref().unwrap_or_default());
-            let (picture, report) = drawings(title.trim(), &document, &bytes, show == Show::Reports)?;
+            let (picture, report) = drawings(
+                title.trim(),
+                &document,
+                &bytes,
+                show == Show::Reports,
+                subject.upside_down,
+            )?;
             let stem = name.rsplit_once(".cert.").map_or(name, |(stem, _)| stem);
             let place = format!("{PICTURES}/{stem}.svg");
             self.folder
