@@ -141,10 +141,11 @@ fn subject(arguments: &Arguments, bytes: &[u8]) -> Result<Result<Subject, String
     let input = &arguments.file;
     #[cfg(feature = "import")]
     if let Some(format) = detect(bytes).filter(|format| *format != Format::Curve) {
-        let (file, _) = arguments.reading.one_curve(input, bytes)?;
+        let (file, notes) = arguments.reading.one_curve(input, bytes)?;
         let name = file.name.clone().unwrap_or_else(|| input.to_string());
         return Ok(Ok(Subject {
             upside_down: format == Format::Svg,
+            statement: notes,
             ..of_curve(name, &file.curve)
         }));
     }
