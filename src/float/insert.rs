@@ -6,7 +6,7 @@ use super::error::FloatError;
 use crate::curve::MAXIMUM_PIECES;
 
 /// Coordinates of new points that one inserted knot may have without taking the general way.
-const FRESH: usize = 12;
+const FRESH: usize = 9;
 
 impl Curve {
     /// How often `t` occurs among the knots.
@@ -54,7 +54,9 @@ impl Curve {
         };
         let mut knots = Vec::with_capacity(self.knots.len() + times);
         knots.extend_from_slice(&self.knots[..after]);
-        knots.extend(std::iter::repeat_n(t, times));
+        for _ in 0..times {
+            knots.push(t);
+        }
         knots.extend_from_slice(&self.knots[after..]);
         let mut points = Vec::with_capacity(self.points.len() + times * d);
         points.extend_from_slice(&self.points[..(first + 1) * d]);

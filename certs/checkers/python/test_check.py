@@ -60,7 +60,7 @@ def curve_block(curve):
     return out + b"".join(leb(len(p["points"]) - 1) + tail(p) for p in pieces)
 
 
-RULES = ["split", "first", "second", "far", "not_normal", "cone", "bend", "separate", "monotone"]
+RULES = ["split", "first", "second", "far", "not_normal", "cone", "bend", "separate", "monotone", "turn", "pedal"]
 
 
 def tree_block(tree, short=False):
@@ -415,6 +415,38 @@ class Tree(Checks):
         self.reject(self.changed(c, ("evidence", "tree", 3), "bend 7 -8"), "αv")
         self.reject(self.changed(c, ("evidence", "tree", 3), "bend 3 -4"), "αv")
 
+    def test_turn(self):
+        # there and nearly back, with two equal control points at the corner on both sides
+        curve = {"bezier": {"pieces": [piece([(0, 0), (2, 0), (3, 0), (3, 0)]),
+                                       piece([(3, 0), (3, 0), (2, F(1, 10)), (0, F(3, 10))])]}}
+        c = certificate(curve, "inf", ["split", "cone 1 0", "turn 200 0 -201 0", "cone -1 0"])
+        self.accept(c)
+        self.accept(binary(c))
+        for token, reason in (("bend 1 1", "αv"), ("turn 200 0 -200 0", "p·v.w"), ("turn 200 0 201 0", "q·w > 0"),
+                              ("turn -200 0 -201 0", "p·v > 0"), ("turn 0 0 -201 0", "p·v > 0")):
+            self.reject(self.changed(c, ("evidence", "tree", 2), token), reason)
+
+    def test_pedal(self):
+        # quarters of circles of radius 3 and 1 around the origin, joined by a radius
+        curve = {"bezier": {"pieces": [piece([(3, 0), (3, 3), (0, 3)], (1, 1, 2)), piece([(0, 3), (0, 1)]),
+                                       piece([(0, 1), (1, 1), (1, 0)], (1, 1, 2))]}}
+        leaf = "pedal 0 0 1 3 -1"
+        tree = ["split", "split", "cone -2 3", "bend 1 1", "cone -3 1", "first", "second", "first", "far 1 0",
+                "not_normal -2 -3", leaf, "second", "bend 1 3", leaf, "split", "cone 0 -3", "first", "not_normal -1 0",
+                "second", "bend 1 1", "not_normal -1 0", "split", "cone 3 -2", "bend 1 1", "cone 1 -3"]
+        c = certificate(curve, "4", tree)
+        self.accept(c)
+        self.accept(binary(c))
+        for token, reason in (("pedal 0 0 1 3 1", "p−z"), ("pedal 0 0 1 3 -2", "l.m"), ("pedal 0 0 0 3 -1", "r > 0"),
+                              ("pedal 0 0 1000 3001 -1001", "distances from z"), ("pedal 1 0 1 3 -1", "distances from z"),
+                              ("pedal 0 0 1 -1 3", "distances from z"), ("pedal 0 0 1 2 0", "r > 0")):
+            self.reject(self.changed(c, ("evidence", "tree", 10), token), reason)
+        # a line through the center crosses the arc
+        crossed = {"bezier": {"pieces": [piece([(4, 4), (0, 0)]), piece([(0, 0), (3, 0)]),
+                                         piece([(3, 0), (3, 3), (0, 3)], (1, 1, 2))]}}
+        tree = ["split", "cone -1 -1", "second", "bend 1 2", "pedal 0 0 1 -1 3"]
+        self.reject(certificate(crossed, "4", tree), "nearer to z")
+
     def test_far_under_inf(self):
         c = certificate(polygon((0, 0), (1, 0), (2, 1), (3, 1)), "inf",
                         ["split", "cone 1 0", "second", "cone 2 1", "far -1 0", "cone 2 1"])
@@ -648,7 +680,7 @@ class Strictness(Checks):
         self.reject(good[:block + 2] + b"\x80" * 40 + b"\1" + good[block + 3:], "at most 64 bits")
         self.reject(good[:block + 4] + b"\0" + good[block + 5:], "least common")
         self.reject(good[:block + 4] + b"\2\0\0\4\0" + good[block + 9:], "least common")
-        for code in (0x09, 0x0f, 0x14, 0x15, 0x24, 0x34, 0xff):
+        for code in (0x0b, 0x0f, 0x14, 0x15, 0x24, 0x34, 0xff):
             self.reject(good[:-3] + bytes([code]), "unknown token")
 
     def test_short_codes_in_space(self):
