@@ -21,6 +21,7 @@ impl Curve {
     ///
     /// # Errors
     /// [`FloatError::OutsideDomain`], and [`FloatError::Multiplicity`] when the knot would occur more often than the degree.
+    #[inline]
     pub fn insert_knot(&self, t: f64, times: usize) -> Result<Curve, FloatError> {
         let (p, d) = (self.degree, self.dimension);
         let (start, end) = self.domain();
@@ -94,6 +95,7 @@ impl Curve {
     /// Control points `first` + 1 … `last` after the insertion of t: point i is that between control points i − 1 and i that divides them as t divides knots
     /// i and i + p. From the nearer one on, so that a small share keeps its relative accuracy; in double-double, rounded once. How many
     /// coordinates, and these.
+    #[inline]
     fn between(&self, first: usize, last: usize, t: f64) -> (usize, [f64; FRESH]) {
         let d = self.dimension;
         let count = (last - first) * d;
