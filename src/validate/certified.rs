@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use sha2::{Digest, Sha256};
+
 use super::condition::Condition;
 use super::truth::{About, Enclosed, MsdBounds, Truth};
 use crate::certificate::{Document, curve_sha256};
@@ -23,7 +25,7 @@ pub struct Certified {
     pub truth: Truth,
 }
 
-/// The cases of a document that the checker has accepted: of the claim `values` one an entry, with the id "`first 12 digits of curve_sha256`/`index`", of the claim
+/// The cases of a document that the checker has accepted: of the claim `values` one an entry, with the id "`first 12 digits of curve_sha256`/`index`-`digest of what is asked`", of the claim
 /// `msd` (smooth convention, bounded on both sides) one with the id "…/msd".
 ///
 /// A chain of Bézier pieces is the one B-spline that it makes ([`to_spline`](crate::curve::Curve::to_spline)), on the same parameters: engines have no others. Knots and degree of that
@@ -36,10 +38,7 @@ pub fn certified(document: &Document) -> Vec<Certified> {
     if curve.exact().is_err() {
         return Vec::new();
     }
-    let mut digest = String::new();
-    for byte in &curve_sha256(&document.curve)[..6] {
-        let _ = write!(digest, "{byte:02x}");
-    }
+    let digest = hexadecimal(&curve_sha256(&document.curve)[..6]);
     let with = |id: String, operation: Operation, truth: Truth| Certified {
         case: Case {
             id,
@@ -58,7 +57,9 @@ pub fn certified(document: &Document) -> Vec<Certified> {
                     spline: spline.clone(),
                 };
                 let truth = truth(about, &entry.operation, &entry.outcome).ok()?;
-                Some(with(format!("{digest}/{i}"), operation, truth))
+                // Entries of other certificates about the same curve have the same numbers.
+                let asked = hexadecimal(&Sha256::digest(format!("{:?}", entry.operation))[..4]);
+                Some(with(format!("{digest}/{i}-{asked}"), operation, truth))
             });
             made.collect()
         }
@@ -79,6 +80,14 @@ pub fn certified(document: &Document) -> Vec<Certified> {
         }
         _ => Vec::new(),
     }
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    let mut text = String::new();
+    for byte in bytes {
+        let _ = write!(text, "{byte:02x}");
+    }
+    text
 }
 
 fn side(side: Side) -> CaseSide {

@@ -376,3 +376,36 @@ fn a_chain_makes_cases_as_one_spline() {
         run(["validate", "--engine", "knotproof-f64", &certificate]).expect(0);
     }
 }
+
+#[test]
+fn several_certificates_about_one_curve() {
+    let folder = TempDir::new().expect("a folder");
+    let certificate = |name: &str, operations: &str| {
+        let path = folder.path().join(name);
+        run([
+            "certify",
+            "values",
+            "certs/curves/mp06-figure-1.json",
+            "--ops",
+            operations,
+            "-o",
+            text(&path),
+            "-q",
+        ])
+        .expect(0);
+        text(&path).to_string()
+    };
+    let (points, curvatures) = (
+        certificate("points.json", "point"),
+        certificate("curvatures.json", "curvature"),
+    );
+    let judged = run(["validate", "--engine", "knotproof-f64", &points, &curvatures, "--json"])
+        .expect(0)
+        .json();
+    let operations = judged["operations"].as_array().expect("operations");
+    assert_eq!(operations.len(), 2, "{judged}");
+    assert!(
+        operations.iter().all(|operation| operation["cases"].as_u64() > Some(1)),
+        "{judged}"
+    );
+}
