@@ -11,87 +11,89 @@ const NOISE: f64 = 1e-22;
 /// First and second derivatives that are parallel up to this part of their lengths give no torsion.
 const PARALLEL: f64 = 1e-13;
 
-/// 2⁻⁹⁶.
-const ROUNDING: f64 = 1.0 / (1_u128 << 96) as f64;
-
 impl Curve {
     /// The curvature |c' × c''| / |c'|³, never negative, at the domain parameter `t`, from the given side where t is a knot.
     ///
     /// # Errors
-    /// [`FloatError::OutsideDomain`]; [`FloatError::Irregular`] where c' is 0 or cannot be told from 0; [`FloatError::Range`] when the result is not
+    /// [`FloatError::OutsideDomain`]; [`FloatError::Irregular`] where c' is 0 or known to less than 2⁻⁵³ of its length, near a cusp; [`FloatError::Range`] when the result is not
     /// finite.
     pub fn curvature(&self, t: f64, side: Side) -> Result<f64, FloatError> {
+        Ok(self.curvature_and_noise(t, side)?.0)
+    }
+
+    /// The curvature, and the part of |c''| / |c'|² that rounding of the derivatives may put in it.
+    pub(super) fn curvature_and_noise(&self, t: f64, side: Side) -> Result<(f64, f64), FloatError> {
         let all = self.double_derivatives(t, side, 2)?;
-        self.check_regular(t, side, &all)?;
+        let relative = relative_errors(&self.derivative_errors(t, side, 2)?, &all)?;
         let (first, second) = (unit_scaled(&all[1])?, scaled(&all[2]));
         let (Some((second, second_exponent)), (first, first_exponent)) = (second, first) else {
-            return Ok(0.0);
+            return Ok((0.0, NOISE));
         };
+        // Of vectors, √3 times what it is of coordinates at most.
+        let noise = NOISE.max(2.0 * (relative[1] + relative[2]));
         let normal = cross(&first, &second);
         let speed_squared = dot(&first, &first);
         let square = dot(&normal, &normal);
-        if square.value() <= NOISE * NOISE * (speed_squared * dot(&second, &second)).value() {
-            return Ok(0.0);
+        if square.value() <= noise * noise * (speed_squared * dot(&second, &second)).value() {
+            return Ok((0.0, noise));
         }
         let value = (square.sqrt() / (speed_squared * speed_squared.sqrt())).value();
-        in_range(times_power(value, second_exponent - 2 * first_exponent))
+        Ok((
+            in_range(times_power(value, second_exponent - 2 * first_exponent))?,
+            noise,
+        ))
     }
 
     /// The torsion det(c', c'', c''') / |c' × c''|² of a curve in space, positive for a right-handed helix, from the given side where t is a knot.
     ///
     /// # Errors
-    /// [`FloatError::Dimension`] in the plane; [`FloatError::Irregular`] where c' and c'' are parallel to 10⁻¹³; otherwise as for [`Curve::curvature`].
+    /// [`FloatError::Dimension`] in the plane; [`FloatError::Irregular`] where c' and c'' are parallel to 10⁻¹³ or to what rounding may do to them; otherwise as for [`Curve::curvature`].
     pub fn torsion(&self, t: f64, side: Side) -> Result<f64, FloatError> {
         if self.dimension != 3 {
             return Err(FloatError::Dimension);
         }
+        Ok(self.torsion_and_noise(t, side)?.0)
+    }
+
+    /// The torsion, and the part of |c'''| / |c' × c''| that rounding of the derivatives may put in it.
+    pub(super) fn torsion_and_noise(&self, t: f64, side: Side) -> Result<(f64, f64), FloatError> {
         let all = self.double_derivatives(t, side, 3)?;
-        self.check_regular(t, side, &all)?;
+        let relative = relative_errors(&self.derivative_errors(t, side, 3)?, &all)?;
         let (first, first_exponent) = unit_scaled(&all[1])?;
         let (second, second_exponent) = unit_scaled(&all[2])?;
         let normal = cross(&first, &second);
         let square = dot(&normal, &normal);
-        if square.value() <= PARALLEL * PARALLEL * (dot(&first, &first) * dot(&second, &second)).value() {
+        let noise = 2.0 * (relative[1] + relative[2]);
+        let sine = (square.value() / (dot(&first, &first) * dot(&second, &second)).value()).sqrt();
+        if sine <= noise.max(PARALLEL) {
             return Err(FloatError::Irregular);
         }
         let Some((third, third_exponent)) = scaled(&all[3]) else {
-            return Ok(0.0);
+            return Ok((0.0, NOISE));
         };
+        let noise = NOISE.max(noise / sine + 2.0 * relative[3]);
         let determinant = dot(&normal, &third);
-        if determinant.value().abs() <= NOISE * (square.value() * dot(&third, &third).value()).sqrt() {
-            return Ok(0.0);
+        if determinant.value().abs() <= noise * (square.value() * dot(&third, &third).value()).sqrt() {
+            return Ok((0.0, noise));
         }
         let value = (determinant / square).value();
-        in_range(times_power(value, third_exponent - first_exponent - second_exponent))
+        let value = in_range(times_power(value, third_exponent - first_exponent - second_exponent))?;
+        Ok((value, noise))
     }
+}
 
-    /// Refuses a first derivative that may be rounding of 0: one below 2⁻⁹⁶ of the terms it is made of.
-    ///
-    /// c' = ((wc)' − w'c) / w, and (wc)' and w' are convex combinations of the differences of control points, times p over the length of the knots they
-    /// act on. The terms of those differences bound what rounding in double-double, at most 2⁻¹⁰⁰ a step, leaves of a sum that is 0.
-    fn check_regular(&self, t: f64, side: Side, derivatives: &[[Double; 3]]) -> Result<(), FloatError> {
-        let (k, p, d) = (self.span(t, side)?, self.degree, self.dimension);
-        let size = |vector: &[Double; 3]| vector.iter().fold(0.0, |most: f64, x| most.max(x.value().abs()));
-        let place = size(&derivatives[0]);
-        let term = |i: usize| {
-            let point = self.points[i * d..(i + 1) * d].iter();
-            let most = point.fold(0.0, |most: f64, x| most.max(x.abs()));
-            match &self.weights {
-                Some(weights) => weights[i] * (most + place),
-                None => most,
-            }
-        };
-        let terms = (k - p..k)
-            .map(|i| p as f64 / (self.knots[i + 1 + p] - self.knots[i + 1]) * (term(i) + term(i + 1)))
-            .fold(0.0, f64::max);
-        let weight = match &self.weights {
-            Some(_) => self.lifted_point(k, t)[3].value(),
-            None => 1.0,
-        };
-        if size(&derivatives[1]) <= ROUNDING * terms / weight {
-            return Err(FloatError::Irregular);
-        }
-        Ok(())
+/// Errors of derivatives relative to their lengths; [`FloatError::Irregular`] where c' is not known to 2⁻⁵³ of its length.
+fn relative_errors(errors: &[f64], derivatives: &[[Double; 3]]) -> Result<[f64; 4], FloatError> {
+    let mut relative = [0.0; 4];
+    for (m, vector) in derivatives.iter().enumerate() {
+        let size = vector.iter().fold(0.0, |most: f64, x| most.max(x.value().abs()));
+        relative[m] = errors[m] / size;
+    }
+    // Not comparing true, NaN is refused.
+    if relative[1] <= 0.5 * f64::EPSILON {
+        Ok(relative)
+    } else {
+        Err(FloatError::Irregular)
     }
 }
 

@@ -1,12 +1,12 @@
 //! Knot insertion (Böhm 1980).
 
 use super::curve::{Curve, Lifted, mix, parts};
-use super::double::{Double, two_product, two_sum};
+use super::double::{two_product, two_sum};
 use super::error::FloatError;
 use crate::curve::MAXIMUM_PIECES;
 
-/// Coordinates of new points that one inserted knot may have without taking the general way.
-const FRESH: usize = 9;
+/// Up to so many knots are gone through in turn, which a processor that guesses branches does ahead of time; of more the half is left out at a time.
+const FEW: usize = 32;
 
 impl Curve {
     /// How often `t` occurs among the knots.
@@ -28,7 +28,11 @@ impl Curve {
         if !(start <= t && t <= end) {
             return Err(FloatError::OutsideDomain);
         }
-        let after = self.knots.partition_point(|knot| *knot <= t);
+        let after = if self.knots.len() <= FEW {
+            self.knots.iter().position(|knot| *knot > t).unwrap_or(self.knots.len())
+        } else {
+            self.knots.partition_point(|knot| *knot <= t)
+        };
         let multiplicity = self.knots[..after].iter().rev().take_while(|knot| **knot == t).count();
         let total = multiplicity.saturating_add(times);
         if times > 0 && total > p {
@@ -46,13 +50,6 @@ impl Curve {
         let k = after - 1;
         // Points k − p … k − multiplicity become points k − p … k − multiplicity + times; the first and the last of them stay.
         let (first, last) = (k - p, k - multiplicity);
-        // One knot, the usual case, has its own way.
-        let alone = times == 1 && self.weights.is_none() && (p - multiplicity) * d <= FRESH;
-        let fresh = if alone {
-            Vec::new()
-        } else {
-            self.inserted(k, multiplicity, t, times)
-        };
         let mut knots = Vec::with_capacity(self.knots.len() + times);
         knots.extend_from_slice(&self.knots[..after]);
         for _ in 0..times {
@@ -61,70 +58,80 @@ impl Curve {
         knots.extend_from_slice(&self.knots[after..]);
         let mut points = Vec::with_capacity(self.points.len() + times * d);
         points.extend_from_slice(&self.points[..(first + 1) * d]);
-        let mut weights = self.weights.as_ref().map(|weights| {
-            let mut all = Vec::with_capacity(weights.len() + times);
-            all.extend_from_slice(&weights[..=first]);
-            all
-        });
-        if alone {
-            let (count, fresh) = self.between(first, last, t);
-            points.extend_from_slice(&fresh[..count]);
-        }
-        for lifted in &fresh {
-            self.lower(lifted, &mut points, weights.as_mut());
+        let Some(all) = &self.weights else {
+            if times == 1 {
+                // One knot, the usual case, has its own way. The new points are written over copies of old ones.
+                points.extend_from_slice(&self.points[first * d..]);
+                let fresh = &mut points[(first + 1) * d..(last + 1) * d];
+                if d == 2 {
+                    self.between::<2>(first..last, t, fresh);
+                } else {
+                    self.between::<3>(first..last, t, fresh);
+                }
+            } else {
+                for lifted in self.inserted(k, multiplicity, t, times) {
+                    self.lower(&lifted, &mut points, None);
+                }
+                points.extend_from_slice(&self.points[last * d..]);
+            }
+            // The mean of numbers in range is.
+            return Ok(Curve {
+                dimension: d,
+                degree: p,
+                knots,
+                points,
+                weights: None,
+            });
+        };
+        let mut weights = Vec::with_capacity(all.len() + times);
+        weights.extend_from_slice(&all[..=first]);
+        for lifted in self.inserted(k, multiplicity, t, times) {
+            self.lower(&lifted, &mut points, Some(&mut weights));
         }
         points.extend_from_slice(&self.points[last * d..]);
-        if let (Some(to), Some(from)) = (&mut weights, &self.weights) {
-            to.extend_from_slice(&from[last..]);
-        }
+        weights.extend_from_slice(&all[last..]);
         let result = Curve {
             dimension: d,
             degree: p,
             knots,
             points,
-            weights,
+            weights: Some(weights),
         };
-        // The mean of numbers in range is.
-        if result.weights.is_none() {
-            Ok(result)
-        } else {
-            result.in_range()
-        }
+        result.in_range()
     }
 
-    /// Control points `first` + 1 … `last` after the insertion of t: point i is that between control points i − 1 and i that divides them as t divides knots
-    /// i and i + p. From the nearer one on, so that a small share keeps its relative accuracy; in double-double, rounded once. How many
-    /// coordinates, and these.
-    #[inline]
-    fn between(&self, first: usize, last: usize, t: f64) -> (usize, [f64; FRESH]) {
-        let d = self.dimension;
-        let count = (last - first) * d;
-        let (mut near, mut far) = ([0.0; FRESH], [0.0; FRESH]);
-        let (mut high, mut low) = ([0.0; FRESH], [0.0; FRESH]);
-        for i in first + 1..=last {
-            let (start, end) = (self.knots[i], self.knots[i + self.degree]);
-            let (from, to) = (Double::difference(t, start), Double::difference(end, t));
-            let before = from.value() <= to.value();
-            let share = if before { from } else { to } / Double::difference(end, start);
-            let (p, q) = self.points[(i - 1) * d..(i + 1) * d].split_at(d);
-            let (p, q) = if before { (p, q) } else { (q, p) };
-            let place = (i - first - 1) * d;
-            for axis in 0..d {
-                (near[place + axis], far[place + axis]) = (p[axis], q[axis]);
-                (high[place + axis], low[place + axis]) = (share.value(), share.rest());
+    /// The control points after those of `range` when t is inserted: after point i comes the one between points i and i + 1 that divides them as t divides
+    /// knots i + 1 and i + 1 + p.
+    ///
+    /// From the nearer point n on, with s the share of the shorter part in the whole: n + s (f − n) with f the farther one, so that a small s keeps its
+    /// relative accuracy. s is taken as h + l, h the quotient of the rounded parts; with a = A + a′ and b = B + b′ the part and the whole, exactly,
+    /// s − h = (a − h b)/b, where A − h B is computed without error but for the last digit of a number of magnitude 2⁻⁵³ A, so that l has a relative error
+    /// of few units of 2⁻⁵³ and h + l one of few units of 2⁻¹⁰⁶. The sum is rounded once, from 2⁻¹⁰⁰ of |n| + |f|.
+    #[inline(always)]
+    fn between<const D: usize>(&self, range: std::ops::Range<usize>, t: f64, fresh: &mut [f64]) {
+        let starts = &self.knots[range.start + 1..=range.end];
+        let ends = &self.knots[range.start + 1 + self.degree..=range.end + self.degree];
+        let (old, _) = self.points[range.start * D..(range.end + 1) * D].as_chunks::<D>();
+        let (fresh, _) = fresh.as_chunks_mut::<D>();
+        for (((to, pair), start), end) in fresh.iter_mut().zip(old.windows(2)).zip(starts).zip(ends) {
+            let before = t - start <= end - t;
+            let (part, part_rest) = if before { two_sum(t, -start) } else { two_sum(*end, -t) };
+            let (whole, whole_rest) = two_sum(*end, -start);
+            let share = part / whole;
+            let (product, lost) = two_product(share, whole);
+            let share_rest = ((part - product) - lost + (part_rest - share * whole_rest)) / whole;
+            let (near, far) = if before {
+                (&pair[0], &pair[1])
+            } else {
+                (&pair[1], &pair[0])
+            };
+            for axis in 0..D {
+                let (difference, error) = two_sum(far[axis], -near[axis]);
+                let (product, lost) = two_product(share, difference);
+                let (sum, rest) = two_sum(near[axis], product);
+                to[axis] = sum + (rest + (lost + (share * error + share_rest * difference)));
             }
         }
-        // Plain arrays, which the compiler turns into vector instructions.
-        {
-            let (near, far, high, low) = (&mut near[..count], &far[..count], &high[..count], &low[..count]);
-            for j in 0..count {
-                let (difference, error) = two_sum(far[j], -near[j]);
-                let (product, lost) = two_product(high[j], difference);
-                let (sum, rest) = two_sum(near[j], product);
-                near[j] = sum + (rest + (lost + (high[j] * error + low[j] * difference)));
-            }
-        }
-        (count, near)
     }
 
     /// The points strictly between k − p and k − multiplicity + times of the curve with t inserted `times` times (Piegl and Tiller 1997, A5.1).
