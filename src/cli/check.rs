@@ -16,7 +16,7 @@ use super::batch::progress::Progress;
 use super::bounds::{Bounds, in_words, leaves_in_words};
 use super::curvature_words::{self, CurvatureLine};
 use super::deviation_words::{self, DeviationLine};
-use super::domain_words::{self, DomainLine};
+use super::domain_words::{self, DomainStatementLine};
 use super::embedding_words::{self, EmbeddingLine};
 use super::failure::Failure;
 use super::input::{Input, Noting, standard_input_once};
@@ -106,7 +106,7 @@ pub enum StatementLine {
     },
     Domain {
         #[serde(flatten)]
-        line: DomainLine,
+        line: DomainStatementLine,
         #[serde(skip)]
         words: String,
     },
@@ -317,7 +317,7 @@ pub fn statement(document: &Document) -> StatementLine {
             words: in_words(&content.statement),
         },
         Claim::Domain(content) => StatementLine::Domain {
-            line: DomainLine::new(&content.statement),
+            line: DomainStatementLine::new(&content.statement),
             words: domain_words::in_words(&content.statement),
         },
         Claim::Deviation(content) => StatementLine::Deviation {

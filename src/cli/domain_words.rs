@@ -12,7 +12,7 @@ const DIGITS_AT_LEAST: usize = 6;
 /// Roots are enclosed this closely before digits are counted.
 const ROOT_BITS: u32 = 256;
 
-/// A statement as JSON.
+/// A convex domain as JSON.
 #[derive(Serialize)]
 pub struct DomainLine {
     points: Vec<usize>,
@@ -21,6 +21,13 @@ pub struct DomainLine {
     open: [bool; 2],
     #[serde(rename = "box")]
     bounds: [Vec<String>; 2],
+}
+
+/// A statement about it as JSON.
+#[derive(Serialize)]
+pub struct DomainStatementLine {
+    #[serde(flatten)]
+    domain: DomainLine,
     #[serde(flatten)]
     outcome: OutcomeLine,
 }
@@ -58,14 +65,27 @@ enum OutcomeLine {
     },
 }
 
-fn texts(numbers: &[Rational]) -> Vec<String> {
+/// Exact fractions.
+pub fn texts(numbers: &[Rational]) -> Vec<String> {
     numbers.iter().map(Rational::format).collect()
 }
 
 impl DomainLine {
+    /// Its own fields.
+    pub fn new(domain: &Domain) -> DomainLine {
+        DomainLine {
+            points: domain.points.clone(),
+            sign: domain.sign.name(),
+            interval: texts(&domain.interval),
+            open: domain.open,
+            bounds: [texts(&domain.bounds.low), texts(&domain.bounds.high)],
+        }
+    }
+}
+
+impl DomainStatementLine {
     /// The statement's own fields, with outward decimals beside its fractions.
-    pub fn new(statement: &Statement) -> DomainLine {
-        let domain = &statement.domain;
+    pub fn new(statement: &Statement) -> DomainStatementLine {
         let outcome = match &statement.outcome {
             Outcome::Sandwich {
                 inner_measure,
@@ -117,12 +137,8 @@ impl DomainLine {
                 }
             }
         };
-        DomainLine {
-            points: domain.points.clone(),
-            sign: domain.sign.name(),
-            interval: texts(&domain.interval),
-            open: domain.open,
-            bounds: [texts(&domain.bounds.low), texts(&domain.bounds.high)],
+        DomainStatementLine {
+            domain: DomainLine::new(&statement.domain),
             outcome,
         }
     }

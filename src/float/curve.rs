@@ -173,20 +173,32 @@ impl Curve {
     /// Control point i as (w P, w), exact to 2^-100.
     #[inline]
     pub(super) fn lifted(&self, i: usize) -> Lifted {
-        self.lifted_from(i, [0.0; 3])
+        let mut lifted = [Double::ZERO; 4];
+        let point = &self.points[i * self.dimension..(i + 1) * self.dimension];
+        match &self.weights {
+            None => {
+                for (to, x) in lifted.iter_mut().zip(point) {
+                    *to = Double::from(*x);
+                }
+                lifted[3] = Double::ONE;
+            }
+            Some(weights) => {
+                for (to, x) in lifted.iter_mut().zip(point) {
+                    *to = Double::product(*x, weights[i]);
+                }
+                lifted[3] = Double::from(weights[i]);
+            }
+        }
+        lifted
     }
 
-    /// The same for the curve moved so that `origin` is the origin.
-    #[inline(always)]
-    pub(super) fn lifted_from(&self, i: usize, origin: [f64; 3]) -> Lifted {
+    /// The same seen from `origin`: (w (P − origin), w).
+    pub(super) fn lifted_from(&self, i: usize, origin: &[f64; 3]) -> Lifted {
         let weight = self.weights.as_ref().map_or(1.0, |weights| weights[i]);
         let mut lifted = [Double::ZERO; 4];
         let point = &self.points[i * self.dimension..(i + 1) * self.dimension];
         for ((to, x), origin) in lifted.iter_mut().zip(point).zip(origin) {
-            *to = Double::difference(*x, origin);
-            if self.weights.is_some() {
-                *to = to.times(weight);
-            }
+            *to = Double::difference(*x, *origin).times(weight);
         }
         lifted[3] = Double::from(weight);
         lifted

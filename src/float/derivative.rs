@@ -39,11 +39,11 @@ impl Curve {
         }
         let k = self.span(t, side)?;
         if self.weights.is_none() {
-            let lifted = self.lifted_derivatives(k, t, order, [0.0; 3]);
+            let lifted = self.lifted_derivatives(k, t, order, &[0.0; 3]);
             return Ok(lifted.iter().map(|[x, y, z, _]| [*x, *y, *z]).collect());
         }
         let origin = self.exact_point(k, t);
-        let lifted = self.lifted_derivatives(k, t, order, origin);
+        let lifted = self.lifted_derivatives(k, t, order, &origin);
         let mut result: Vec<[Double; 3]> = Vec::with_capacity(order + 1);
         for (m, derivative) in lifted.iter().enumerate() {
             let mut vector = [derivative[0], derivative[1], derivative[2]];
@@ -132,7 +132,7 @@ impl Curve {
 
     /// The derivatives of (wc, w), c seen from `origin`, on span k: differences of control points over the knots they act on, summed by de Boor's algorithm. Unlike
     /// differences of the Bézier points of a span these stay accurate on spans of one unit in the last place.
-    pub(super) fn lifted_derivatives(&self, k: usize, t: f64, order: usize, origin: [f64; 3]) -> Vec<Lifted> {
+    pub(super) fn lifted_derivatives(&self, k: usize, t: f64, order: usize, origin: &[f64; 3]) -> Vec<Lifted> {
         if self.degree < 8 {
             self.lifted_derivatives_in(k, t, order, origin, [[Double::ZERO; 4]; 8])
         } else {
@@ -145,7 +145,7 @@ impl Curve {
         k: usize,
         t: f64,
         order: usize,
-        origin: [f64; 3],
+        origin: &[f64; 3],
         mut coefficients: [Lifted; SIZE],
     ) -> Vec<Lifted> {
         let p = self.degree;

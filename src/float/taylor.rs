@@ -63,7 +63,7 @@ impl Curve {
         // B, p̃ of the coordinates and of the weight.
         let (mut bound, mut size) = ([0.0; 4], [0.0; 4]);
         let mut power = 1.0;
-        for (i, derivative) in self.lifted_derivatives(k, middle, n, [0.0; 3]).iter().enumerate() {
+        for (i, derivative) in self.lifted_derivatives(k, middle, n, &[0.0; 3]).iter().enumerate() {
             for axis in 0..4 {
                 if axis == 3 && self.weights.is_none() {
                     continue;

@@ -3,12 +3,13 @@
 use clap::{Args, value_parser};
 use knotproof::claim::domain::Box as Corners;
 use knotproof::compare::{DomainComparison, DomainOptions, MOST_LEVELS};
-use knotproof::number::{Rational, RationalExt};
+use knotproof::number::Rational;
 use knotproof::prove::domain::Bounds;
 use knotproof::prove::domain::levels::Degree;
 use serde::Serialize;
 
 use crate::cli::certify::domain::{Coordinates, SignName, coordinates, number, tolerance};
+use crate::cli::domain_words::{DomainLine, quantity, texts};
 use crate::cli::failure::Failure;
 
 /// Levels without a tolerance, and with one.
@@ -83,27 +84,17 @@ impl DomainArguments {
 
 /// The set as JSON.
 #[derive(Serialize)]
-pub struct DomainLine {
-    points: Vec<usize>,
-    sign: &'static str,
-    interval: Vec<String>,
-    open: [bool; 2],
-    #[serde(rename = "box")]
-    bounds: [Vec<String>; 2],
+pub struct ComparedDomainLine {
+    #[serde(flatten)]
+    domain: DomainLine,
     degree: &'static str,
 }
 
-impl DomainLine {
+impl ComparedDomainLine {
     /// From a comparison.
-    pub fn new(found: &DomainComparison) -> DomainLine {
-        let domain = &found.problem.domain;
-        let texts = |numbers: &[Rational]| numbers.iter().map(Rational::format).collect();
-        DomainLine {
-            points: domain.points.clone(),
-            sign: domain.sign.name(),
-            interval: texts(&domain.interval),
-            open: domain.open,
-            bounds: [texts(&domain.bounds.low), texts(&domain.bounds.high)],
+    pub fn new(found: &DomainComparison) -> ComparedDomainLine {
+        ComparedDomainLine {
+            domain: DomainLine::new(&found.problem.domain),
             degree: degree(found),
         }
     }
@@ -118,24 +109,18 @@ fn degree(found: &DomainComparison) -> &'static str {
 
 /// A line for people.
 pub fn words(found: &DomainComparison) -> String {
-    let line = DomainLine::new(found);
-    let quantity = if line.bounds[0].len() == 2 {
-        "curvature"
-    } else {
-        "torsion"
-    };
-    let corner = |numbers: &[String]| format!("({})", numbers.join(", "));
-    let position: Vec<String> = found.problem.position.iter().map(Rational::format).collect();
+    let domain = &found.problem.domain;
+    let corner = |numbers: &[Rational]| format!("({})", texts(numbers).join(", "));
     format!(
-        "convex domain of the control point {}, {quantity} {}, box {} to {}, {} degree of the sign function",
-        corner(&position),
-        line.sign,
-        corner(&line.bounds[0]),
-        corner(&line.bounds[1]),
-        if line.degree == "paper" {
-            "the paper's"
-        } else {
-            "the true"
+        "convex domain of the control point {}, {} {}, box {} to {}, {} degree of the sign function",
+        corner(&found.problem.position),
+        quantity(domain),
+        domain.sign.name(),
+        corner(&domain.bounds.low),
+        corner(&domain.bounds.high),
+        match found.degree {
+            Degree::Paper => "the paper's",
+            Degree::True => "the true",
         }
     )
 }

@@ -86,7 +86,7 @@ struct ForPrograms<'r> {
     delta: String,
     epsilon_d: String,
     #[serde(skip_serializing_if = "Option::is_none")]
-    domain: Option<domain::DomainLine>,
+    domain: Option<domain::ComparedDomainLine>,
     rows: Vec<RowLine<'r>>,
     seconds: f64,
 }
@@ -180,7 +180,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             curve: file.name.as_deref(),
             delta: options.delta.format(),
             epsilon_d: options.epsilon_d.format(),
-            domain: domain.as_ref().map(domain::DomainLine::new),
+            domain: domain.as_ref().map(domain::ComparedDomainLine::new),
             rows: rows.iter().map(RowLine::new).collect(),
             seconds,
         })?;

@@ -12,7 +12,7 @@ use knotproof::prove::domain::{Problem, Status};
 use serde::Serialize;
 
 use crate::cli::certify::report::Written;
-use crate::cli::domain_words::{DomainLine, decimals, in_words, quantity, relative_error};
+use crate::cli::domain_words::{DomainStatementLine, decimals, in_words, quantity, relative_error};
 use crate::cli::input::Input;
 
 /// What there is to tell.
@@ -44,7 +44,7 @@ pub struct ReportLine<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<&'a str>,
     #[serde(flatten)]
-    statement: Option<DomainLine>,
+    statement: Option<DomainStatementLine>,
     /// Of the sandwich: between the inner and the outer measure.
     #[serde(skip_serializing_if = "Option::is_none")]
     area: Option<[String; 2]>,
@@ -169,7 +169,9 @@ impl Report<'_> {
         ReportLine {
             status,
             reason,
-            statement: self.document.map(|document| DomainLine::new(&document.claim.statement)),
+            statement: self
+                .document
+                .map(|document| DomainStatementLine::new(&document.claim.statement)),
             area: measure.clone().filter(|_| plane),
             volume: measure.filter(|_| !plane),
             place: self
