@@ -52,10 +52,15 @@ pub(super) fn finish(mut path: RawPath, options: &Options) -> Result<Option<(Cur
     let given = path.pieces.len();
     path.pieces.retain(|piece| !piece.has_no_length());
     let dropped = given - path.pieces.len();
-    if options.weld
-        && let Some(distance_squared) = weld(&mut path)
-    {
-        notes.push(Note::Welded { distance_squared });
+    if let Some(miss) = miss(&path) {
+        let distance_squared = miss.distance_squared;
+        if options.weld {
+            path.pieces.truncate(miss.last);
+            path.pieces.push(miss.welded);
+            notes.push(Note::Welded { distance_squared });
+        } else {
+            notes.push(Note::Missed { distance_squared });
+        }
     }
     if dropped > 0 {
         notes.push(Note::Dropped { pieces: dropped });
@@ -68,17 +73,25 @@ pub(super) fn finish(mut path: RawPath, options: &Options) -> Result<Option<(Cur
     Ok(Some((Curve::new(dimension, Form::Bezier(pieces?))?, notes)))
 }
 
-/// Moves the end to the start when rounding the file's numbers explains that they differ: each piece may miss by half a unit of
-/// the last decimal. The square of the distance, when it was moved.
-fn weld(path: &mut RawPath) -> Option<Rational> {
+/// An end that misses the start.
+struct Miss {
+    /// The last piece but for a line that closes the path.
+    last: usize,
+    /// That piece with its end moved to the start.
+    welded: RawPiece,
+    distance_squared: Rational,
+}
+
+/// Whether the end misses the start by what rounding the file's numbers explains: each piece may miss by half a unit of the last decimal.
+fn miss(path: &RawPath) -> Option<Miss> {
     let unit = path.unit.as_ref()?;
     let pieces = i64::try_from(path.pieces.len()).ok()?;
     let most = unit * ratio(pieces.max(2), 2);
     let closing = usize::from(path.closing_line && path.pieces.last().is_some_and(|last| last.points.len() == 2));
     let last = path.pieces.len().checked_sub(1 + closing)?;
     let start = path.pieces.first()?.points.first()?.clone();
-    let mut piece = path.pieces[last].clone();
-    let end = piece.points.last_mut()?;
+    let mut welded = path.pieces[last].clone();
+    let end = welded.points.last_mut()?;
     let mut distance_squared = whole(0);
     for (a, b) in start.iter().zip(end.iter()) {
         let difference = a - b;
@@ -92,12 +105,11 @@ fn weld(path: &mut RawPath) -> Option<Rational> {
     }
     *end = start;
     // What is as small as rounding is no closed path.
-    if piece.has_no_length() {
-        return None;
-    }
-    path.pieces.truncate(last);
-    path.pieces.push(piece);
-    Some(distance_squared)
+    (!welded.has_no_length()).then_some(Miss {
+        last,
+        welded,
+        distance_squared,
+    })
 }
 
 /// Numbers over one denominator of bounded size.
@@ -245,7 +257,9 @@ mod tests {
         };
         for closed in [false, true] {
             let (left, notes) = finish(path(&points, closed), &Options::default()).unwrap().unwrap();
-            assert_eq!((left.is_closed(), notes.len()), (closed, 0));
+            assert_eq!(left.is_closed(), closed);
+            let distance_squared = ratio(2, 10_000);
+            assert_eq!(notes, [Note::Missed { distance_squared }]);
             let (curve, notes) = finish(path(&points, closed), &options).unwrap().unwrap();
             assert!(curve.is_closed());
             assert_eq!(curve.chain().count(), 3);

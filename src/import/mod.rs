@@ -84,14 +84,15 @@ pub struct ImportedCurve {
     pub aliases: Vec<String>,
     /// The curve.
     pub curve: Curve,
-    /// What reading changed.
+    /// What reading changed or came upon.
     pub notes: Vec<Note>,
 }
 
 impl ImportedCurve {
-    /// The name with the notes, as a certificate carries it.
+    /// The name with what was changed, as a certificate carries it.
     pub fn title(&self) -> String {
-        let notes: Vec<String> = self.notes.iter().map(Note::to_string).collect();
+        let changes = self.notes.iter().filter(|note| note.is_change());
+        let notes: Vec<String> = changes.map(Note::to_string).collect();
         match notes.is_empty() {
             true => self.name.clone(),
             false => format!("{} [{}]", self.name, notes.join("; ")),

@@ -1,10 +1,10 @@
-//! What reading changed or left out, in numbers.
+//! What reading changed, left out or came upon, in numbers.
 
 use std::fmt;
 
 use crate::number::{Rational, decimal_up, sqrt_decimal_up};
 
-/// Something to know about an imported curve. Without notes the curve is exactly what the file says.
+/// Something to know about an imported curve. Without notes other than [`Note::Missed`] the curve is exactly what the file says.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Note {
     /// Arcs, or rotations, that are no rational curves were replaced by rational ones near them.
@@ -24,6 +24,12 @@ pub enum Note {
         /// The square of how far, in the file's units.
         distance_squared: Rational,
     },
+    /// The curve's end misses its start, which rounding of the file's numbers explains; it was left as it is, with the line that closes it if the file closes it.
+    /// [`Options::weld`](super::Options::weld) moves the end to the start.
+    Missed {
+        /// The square of the distance, in the file's units.
+        distance_squared: Rational,
+    },
     /// Neighbours in a backbone whose residue numbers do not follow each other are joined all the same.
     Bridged {
         /// How many such gaps.
@@ -31,6 +37,13 @@ pub enum Note {
     },
     /// A curve through the file's points, made by the reader.
     Smoothed,
+}
+
+impl Note {
+    /// Whether it tells of a difference between the curve and the file.
+    pub fn is_change(&self) -> bool {
+        !matches!(self, Note::Missed { .. })
+    }
 }
 
 impl fmt::Display for Note {
@@ -48,6 +61,13 @@ impl fmt::Display for Note {
             Note::Welded { distance_squared } => {
                 let distance = sqrt_decimal_up(distance_squared, 2);
                 write!(f, "end welded to the start, moved by {distance}")
+            }
+            Note::Missed { distance_squared } => {
+                let distance = sqrt_decimal_up(distance_squared, 2);
+                write!(
+                    f,
+                    "the end misses the start by {distance}, as rounding may; --weld moves it there"
+                )
             }
             Note::Bridged { gaps } => write!(f, "{gaps} gap{} in the residue numbers bridged", s(*gaps)),
             Note::Smoothed => f.write_str("C1 cubics through the file's points (Catmull-Rom)"),

@@ -202,6 +202,31 @@ fn words_say_what_and_where() {
     }
 }
 
+// An end that overshoots the start by one unit of the last decimal, so that the line of Z crosses the beginning: what rounded relative coordinates leave in real drawings.
+#[cfg(feature = "import")]
+#[test]
+fn an_end_that_misses_the_start_is_suspected() {
+    let (folder, out) = folder();
+    let file = folder.path().join("overshoot.svg");
+    let path = "M0 0C4 0 4 4 4 6L-4 6C-4 4-4 0 .01 0Z";
+    fs::write(&file, format!("<svg><path d=\"{path}\"/></svg>")).unwrap();
+    let order = ["batch", text(&file), "--claim", "embedding", "-o", text(&out)];
+    for resumed in [false, true] {
+        let ran = run([&order[..], &["--resume"][..usize::from(resumed)]].concat());
+        assert_eq!(ran.code, 1, "{ran:?}");
+        let suspicion = "the end misses the start by 0.01, as rounding may; --weld moves it there";
+        contains(&ran, &["the path crosses itself at (0.004", suspicion]);
+        assert_eq!(results(&out)[0]["resumed"], resumed);
+    }
+    let welded = run([&order[..], &["--weld"]].concat()).expect(0);
+    assert!(!welded.out.contains("misses"), "{welded:?}");
+    // Nothing to suspect.
+    fs::write(&file, "<svg><path d=\"M0 0L4 0L0 4L4 4Z\"/></svg>").unwrap();
+    let crossed = run(["batch", text(&file), "--claim", "embedding"]);
+    assert_eq!(crossed.code, 1, "{crossed:?}");
+    assert!(!crossed.out.contains("misses"), "{crossed:?}");
+}
+
 #[test]
 fn an_earlier_run_is_resumed() {
     let (folder, out) = folder();

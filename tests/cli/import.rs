@@ -99,7 +99,13 @@ fn what_reading_changed_is_told_and_kept() {
     );
     let quiet = run(["certify", "embedding", DRAWING, "--select", "slanted", "--quiet"]);
     assert_eq!((quiet.code, quiet.err.as_str()), (0, ""));
+    // A miss is told, but nothing was changed.
+    let missed = run(["certify", "embedding", DRAWING, "--select", "almost", "-o", path]);
+    let note = "the end misses the start by 0.1, as rounding may; --weld moves it there";
+    assert!(missed.err.contains(note), "{missed:?}");
+    assert!(!fs::read_to_string(&certificate).unwrap().contains("misses"));
     let welded = run(["certify", "embedding", DRAWING, "--select", "almost", "--weld"]);
+    assert!(!welded.err.contains("misses"), "{welded:?}");
     assert!(
         welded.err.contains("end welded to the start, moved by 0.1"),
         "{welded:?}"

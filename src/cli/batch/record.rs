@@ -140,6 +140,13 @@ impl Record {
         }
     }
 
+    /// Adds what may explain that nothing good is proved.
+    pub fn suspect(&mut self, suspicion: Option<&String>) {
+        if matches!(self.status, Status::Refuted | Status::Undecided) {
+            self.remarks.extend(suspicion.cloned());
+        }
+    }
+
     /// What a reader wants to know first: the plain words, else the reason, else the statement; of what is undecided, also the part that is proved.
     pub fn first_words(&self) -> String {
         let mut parts = self.remarks.clone();

@@ -27,8 +27,10 @@ pub struct Subject {
     pub curve: Option<String>,
     /// The beginning of the names of its files in the folder; no other subject has it.
     pub base: String,
-    /// What reading changed.
+    /// What reading changed or came upon.
     pub notes: Vec<String>,
+    /// One of them that may explain why nothing good is proved.
+    pub suspicion: Option<String>,
     /// In files of this format y grows downwards.
     pub upside_down: bool,
     /// The curve itself.
@@ -75,6 +77,7 @@ fn read(order: &Order, input: &Input, motions: bool, all: &mut Vec<Subject>) {
         curve,
         base: stem(input),
         notes,
+        suspicion: None,
         upside_down,
         source,
     };
@@ -90,6 +93,7 @@ fn read(order: &Order, input: &Input, motions: bool, all: &mut Vec<Subject>) {
         Ok(Ok(curves)) => all.extend(curves.into_iter().map(|curve| {
             let source = Source::Curve(curve.file, Box::new(curve.curve), curve.sha256);
             let mut subject = subject(Some(curve.name), curve.notes, curve.upside_down, source);
+            subject.suspicion = curve.suspicion;
             if curve.several
                 && let Some(name) = &subject.curve
             {
@@ -113,6 +117,7 @@ struct Read {
     curve: Curve,
     sha256: [u8; 32],
     notes: Vec<String>,
+    suspicion: Option<String>,
     several: bool,
     upside_down: bool,
 }
@@ -138,6 +143,7 @@ fn own(order: &Order, input: &Input, bytes: Vec<u8>) -> Result<Vec<Read>, Failur
         file: bytes,
         curve,
         notes: Vec::new(),
+        suspicion: None,
         several: false,
         upside_down: false,
     }])
@@ -164,6 +170,11 @@ fn curves(order: &Order, input: &Input) -> Result<Vec<Read>, Failure> {
                 sha256: curve_sha256(&curve.curve),
                 curve: curve.curve,
                 notes: curve.notes.iter().map(ToString::to_string).collect(),
+                suspicion: curve
+                    .notes
+                    .iter()
+                    .find(|note| !note.is_change())
+                    .map(ToString::to_string),
                 several,
                 upside_down: format == Format::Svg,
             });
@@ -222,6 +233,7 @@ mod tests {
                 curve: None,
                 base: base.into(),
                 notes: Vec::new(),
+                suspicion: None,
                 upside_down: false,
                 source: Source::Unreadable(String::new()),
             })

@@ -41,6 +41,7 @@ impl Batch<'_> {
         if let Some(earlier) = self.earlier.get(&name)
             && self.take_over(earlier, subject, &name, &mut record)
         {
+            record.suspect(subject.suspicion.as_ref());
             record.seconds = start.elapsed().as_secs_f64();
             return Some(record);
         }
@@ -57,6 +58,7 @@ impl Batch<'_> {
             record.set(Status::Failed);
             record.reason = Some(reason);
         }
+        record.suspect(subject.suspicion.as_ref());
         record.seconds = start.elapsed().as_secs_f64();
         Some(record)
     }

@@ -305,7 +305,7 @@ impl Builder {
         path.pieces.extend(pieces);
         if let Some(bound) = bound {
             if self.exact {
-                let what = "found an arc whose centre is no fraction, expected arcs that are exact (--exact)";
+                let what = "found an arc whose centre or axes are no fractions, expected arcs that are exact (--exact)";
                 return Err((start, what.into()));
             }
             path.arcs += 1;
@@ -390,7 +390,7 @@ mod tests {
             ("M1 1 X", 5, "'X'"),
             ("M1 1 L2 é", 8, "'é'"),
             ("M0 0a1 1 0 2 1 1 1", 11, "flag"),
-            ("M0 0a1 2 30 0 1 1 1", 5, "elliptic arc"),
+            ("M0 0a1e20 1 30 0 1 .866025403784438647 .5", 5, "elliptic arc"),
             ("M1e9000 0", 1, "bits"),
             ("M1 1e99999 0", 3, "exponent"),
             ("M1,,2", 3, "','"),
