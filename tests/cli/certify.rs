@@ -318,4 +318,26 @@ fn joints_that_do_not_meet() {
     assert_eq!(written["snapped_joints"], 1);
     run(["check", certificate, "--curve", curve]).expect_error(&["bezier.pieces[1].points[0]"]);
     run(["check", certificate, "--curve", curve, "--snap-joints"]).expect(0);
+    // Every claim says so.
+    let bent = r#"{ "knotproof": "curve/1", "bezier": { "pieces": [
+        { "points": [["0", "0"], ["1", "2"], ["2", "0"]] }, { "points": [["2.001", "0"], ["3", "2"], ["4", "0"]] } ] } }"#;
+    fs::write(curve, bent).expect("a file");
+    for claim in [
+        "msd",
+        "embedding",
+        "curvature",
+        "deviation",
+        "values",
+        "thickness --convention critical",
+        "domain --point 1 --box 4",
+    ] {
+        let order: Vec<&str> = claim.split(' ').chain([curve, "--snap-joints"]).collect();
+        let words = run([&["certify"], &order[..]].concat());
+        assert!(
+            words.out.contains("joints moved by --snap-joints: 1;"),
+            "{claim}: {words:?}"
+        );
+        let json = run([&["certify"], &order[..], &["--json"]].concat()).json();
+        assert_eq!(json["snapped_joints"], 1, "{claim}: {json}");
+    }
 }

@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::msd::{Width, parse_width};
 use super::output_file::{Common, write};
-use super::report::{Written, parameter};
+use super::report::{Written, last_lines, parameter};
 use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::curvature_words::{CurvatureLine, in_words};
@@ -187,23 +187,5 @@ fn for_people(
             first.join(", ")
         ));
     }
-    if file.snapped > 0 {
-        line(format!(
-            "joints moved by --snap-joints: {}; all this is about the curve so changed",
-            file.snapped
-        ));
-    }
-    match written {
-        Some(written) => line(format!(
-            "certificate: {}, {} bytes, accepted by the checker",
-            written.path.display(),
-            written.bytes
-        )),
-        None if found.document.is_some() => {
-            line("the evidence was accepted by the checker and not kept; -o CERT writes it".into());
-        }
-        None => {}
-    }
-    line(format!("{seconds:.3} s"));
-    text
+    text + &last_lines(file.snapped, found.document.is_some(), written, seconds)
 }

@@ -12,6 +12,7 @@ use serde::Serialize;
 
 use super::msd::{Width, parse_width};
 use super::output_file::{Common, write};
+use super::report::last_lines;
 use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::deviation_words::{DeviationLine, in_words};
@@ -56,6 +57,7 @@ struct ForPrograms {
     bound: Option<String>,
     seconds: f64,
     certificate: Option<String>,
+    snapped_joints: usize,
 }
 
 /// Runs the subcommand.
@@ -100,6 +102,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             bound,
             seconds,
             certificate: written.map(|written| written.path.display().to_string()),
+            snapped_joints: file.snapped,
         })?;
     } else if !arguments.common.printing.quiet {
         let name = match &file.name {
@@ -122,19 +125,12 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             ),
             None => writeln!(text, "  no bound by second differences: a piece is rational"),
         };
-        let _ = match written {
-            Some(written) => writeln!(
-                text,
-                "  certificate: {}, {} bytes, accepted by the checker",
-                written.path.display(),
-                written.bytes
-            ),
-            None => writeln!(
-                text,
-                "  the evidence was accepted by the checker and not kept; -o CERT writes it"
-            ),
-        };
-        let _ = writeln!(text, "  {seconds:.3} s");
+        text.push_str(&last_lines(
+            file.snapped,
+            statement.is_some(),
+            written.as_ref(),
+            seconds,
+        ));
         say(&text)?;
     }
     Ok(exit)

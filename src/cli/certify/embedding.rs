@@ -13,7 +13,7 @@ use tempfile::{NamedTempFile, SpooledTempFile};
 
 use super::output_file::{Common, Target, encoding};
 use super::progress::Progress;
-use super::report::Written;
+use super::report::{Written, last_lines};
 use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::bounds::leaves_in_words;
@@ -154,16 +154,12 @@ pub fn run(arguments: Arguments) -> Result<Exit, Failure> {
         say_json(&line)?;
     } else if !arguments.common.printing.quiet {
         let mut text = format!("{}: {words}\n", line.status);
-        match &written {
-            Some(written) => text.push_str(&format!(
-                "  certificate: {}, {} bytes, accepted by the checker\n",
-                written.path.display(),
-                written.bytes
-            )),
-            None if exit == Exit::Undecided => {}
-            None => text.push_str("  the evidence was accepted by the checker and not kept; -o CERT writes it\n"),
-        }
-        text.push_str(&format!("  {:.3} s\n", line.seconds));
+        text.push_str(&last_lines(
+            file.snapped,
+            exit != Exit::Undecided,
+            written.as_ref(),
+            line.seconds,
+        ));
         say(&text)?;
     }
     Ok(exit)

@@ -8,7 +8,7 @@ use knotproof::number::{Rational, RationalExt, decimal_down, decimal_up, sqrt_en
 use knotproof::prove::motion::{Certified, Followed, Measures};
 use serde::Serialize;
 
-use super::report::Written;
+use super::report::{Written, last_lines};
 use crate::cli::Exit;
 use crate::cli::bounds::leaves_in_words;
 use crate::cli::input::Input;
@@ -235,21 +235,11 @@ impl Report<'_> {
         } else if self.motion.display_tolerance.is_some() {
             let _ = writeln!(text, "  the criteria are for polynomial pieces, and were not evaluated");
         }
-        let _ = match &self.written {
-            Some(written) => writeln!(
-                text,
-                "  certificate: {}, {} bytes, accepted by the checker",
-                written.path.display(),
-                written.bytes
-            ),
-            None if self.certified.document.is_none() => writeln!(text, "  there is nothing to certify"),
-            None => writeln!(
-                text,
-                "  the evidence was accepted by the checker and not kept; -o CERT writes it"
-            ),
-        };
-        let _ = writeln!(text, "  {:.3} s", self.seconds);
-        text
+        let has_evidence = self.certified.document.is_some();
+        if !has_evidence {
+            let _ = writeln!(text, "  there is nothing to certify");
+        }
+        text + &last_lines(self.motion.snapped, has_evidence, self.written.as_ref(), self.seconds)
     }
 
     fn track_in_words(&self, followed: &Followed) -> String {

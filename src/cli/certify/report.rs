@@ -23,6 +23,22 @@ pub struct Written {
     pub bytes: u64,
 }
 
+/// The last lines for people: joints that were moved, what became of the evidence if there is any, and the time.
+pub fn last_lines(snapped: usize, has_evidence: bool, written: Option<&Written>, seconds: f64) -> String {
+    let moved = (snapped > 0)
+        .then(|| format!("  joints moved by --snap-joints: {snapped}; all this is about the curve so changed\n"));
+    let evidence = match written {
+        _ if !has_evidence => String::new(),
+        Some(written) => format!(
+            "  certificate: {}, {} bytes, accepted by the checker\n",
+            written.path.display(),
+            written.bytes
+        ),
+        None => "  the evidence was accepted by the checker and not kept; -o CERT writes it\n".into(),
+    };
+    format!("{}{evidence}  {seconds:.3} s\n", moved.unwrap_or_default())
+}
+
 /// All there is to tell of a run.
 pub struct Report<'r> {
     /// Where the curve was read from.
@@ -161,27 +177,14 @@ impl Report<'_> {
         if !empty {
             writeln!(text, "  lower bound: a cover tree with {}", leaves_in_words(*leaves))?;
         }
-        if self.file.snapped > 0 {
-            writeln!(
-                text,
-                "  joints moved by --snap-joints: {}; all this is about the curve so changed",
-                self.file.snapped
-            )?;
-        }
-        match &self.written {
-            Some(written) => writeln!(
-                text,
-                "  certificate: {}, {} bytes, accepted by the checker",
-                written.path.display(),
-                written.bytes
-            )?,
-            None if empty && statement.upper_squared.is_none() => {}
-            None => writeln!(
-                text,
-                "  the evidence was accepted by the checker and not kept; -o CERT writes it"
-            )?,
-        }
-        writeln!(text, "  {:.3} s", self.seconds)
+        let has_evidence = !empty || statement.upper_squared.is_some();
+        text.push_str(&last_lines(
+            self.file.snapped,
+            has_evidence,
+            self.written.as_ref(),
+            self.seconds,
+        ));
+        Ok(())
     }
 
     fn write_ends(&self, ends: &[End; 2], text: &mut String) -> std::fmt::Result {

@@ -16,7 +16,7 @@ use tempfile::SpooledTempFile;
 use super::msd::{Width, parse_width};
 use super::output_file::{Common, Format, Target, encoding};
 use super::progress::Progress;
-use super::report::{Written, parameter};
+use super::report::{Written, last_lines, parameter};
 use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::bounds::leaves_in_words;
@@ -245,24 +245,7 @@ impl Report<'_> {
             line(format!("shortest double normal: parameters {}", ends.join(" and ")));
             line(format!("a cover tree with {}", leaves_in_words(self.found.leaves)));
         }
-        if self.file.snapped > 0 {
-            line(format!(
-                "joints moved by --snap-joints: {}; all this is about the curve so changed",
-                self.file.snapped
-            ));
-        }
-        match &self.written {
-            Some(written) => line(format!(
-                "certificate: {}, {} bytes, accepted by the checker",
-                written.path.display(),
-                written.bytes
-            )),
-            None if self.found.document.is_some() => {
-                line("the evidence was accepted by the checker and not kept; -o CERT writes it".into());
-            }
-            None => {}
-        }
-        line(format!("{:.3} s", self.seconds));
-        text
+        let has_evidence = self.found.document.is_some();
+        text + &last_lines(self.file.snapped, has_evidence, self.written.as_ref(), self.seconds)
     }
 }

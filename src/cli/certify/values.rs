@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use super::msd::{Width, parse_width};
 use super::output_file::{Common, write};
+use super::report::last_lines;
 use super::time_limit::search_is_over;
 use crate::cli::Exit;
 use crate::cli::failure::Failure;
@@ -81,6 +82,7 @@ struct ForPrograms {
     relative_width_asked: String,
     seconds: f64,
     certificate: Option<String>,
+    snapped_joints: usize,
 }
 
 #[derive(Serialize)]
@@ -94,11 +96,13 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     standard_input_once(std::iter::once(&arguments.curve[0]).chain(&arguments.other))?;
     let target = arguments.common.target(&arguments.curve[0])?;
     let file = arguments.common.read(&arguments.curve[0])?;
-    let others = arguments
-        .other
-        .iter()
-        .map(|other| Ok(other.read_curve(arguments.common.snap_joints)?.curve))
-        .collect::<Result<Vec<_>, Failure>>()?;
+    let mut snapped = file.snapped;
+    let mut others = Vec::new();
+    for other in &arguments.other {
+        let other = other.read_curve(arguments.common.snap_joints)?;
+        snapped += other.snapped;
+        others.push(other.curve);
+    }
     let options = Options {
         operations: arguments.ops.clone(),
         samples: usize::from(arguments.samples),
@@ -106,7 +110,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         others,
         relative_width: arguments.rel_width.value.clone(),
         name: file.name.clone(),
-        snapped_joints: (file.snapped > 0).then_some(file.snapped as u64),
+        snapped_joints: (snapped > 0).then_some(snapped as u64),
     };
     let start = Instant::now();
     let found = certify(&file.curve, &options).map_err(|error| match error {
@@ -142,6 +146,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             relative_width_asked: arguments.rel_width.text.clone(),
             seconds,
             certificate: written.map(|written| written.path.display().to_string()),
+            snapped_joints: snapped,
         })?;
     } else if !arguments.common.printing.quiet {
         let name = match &file.name {
@@ -156,19 +161,7 @@ pub fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         for (kind, why) in &found.without {
             let _ = writeln!(text, "  no {}: {why}", kind.name());
         }
-        let _ = match written {
-            Some(written) => writeln!(
-                text,
-                "  certificate: {}, {} bytes, accepted by the checker",
-                written.path.display(),
-                written.bytes
-            ),
-            None => writeln!(
-                text,
-                "  the evidence was accepted by the checker and not kept; -o CERT writes it"
-            ),
-        };
-        let _ = writeln!(text, "  {seconds:.3} s");
+        text.push_str(&last_lines(snapped, true, written.as_ref(), seconds));
         say(&text)?;
     }
     Ok(exit)

@@ -11,7 +11,7 @@ use knotproof::prove::domain::sandwich::Round;
 use knotproof::prove::domain::{Problem, Status};
 use serde::Serialize;
 
-use crate::cli::certify::report::Written;
+use crate::cli::certify::report::{Written, last_lines};
 use crate::cli::domain_words::{DomainStatementLine, decimals, in_words, quantity, relative_error};
 use crate::cli::input::Input;
 
@@ -56,6 +56,7 @@ pub struct ReportLine<'a> {
     levels: Vec<RoundLine>,
     seconds: f64,
     certificate: Option<String>,
+    snapped_joints: usize,
 }
 
 #[derive(Serialize)]
@@ -182,6 +183,7 @@ impl Report<'_> {
                 .collect(),
             seconds: self.seconds,
             certificate: self.written.as_ref().map(|written| written.path.display().to_string()),
+            snapped_joints: self.file.snapped,
         }
     }
 
@@ -260,26 +262,13 @@ impl Report<'_> {
         if let Some(place) = Place::of(&document.curve, &document.claim) {
             writeln!(text, "  {}", place.in_words(&document.claim.statement))?;
         }
-        if self.file.snapped > 0 {
-            writeln!(
-                text,
-                "  joints moved by --snap-joints: {}; all this is about the curve so changed",
-                self.file.snapped
-            )?;
-        }
-        match &self.written {
-            Some(written) => writeln!(
-                text,
-                "  certificate: {}, {} bytes, accepted by the checker",
-                written.path.display(),
-                written.bytes
-            )?,
-            None => writeln!(
-                text,
-                "  the evidence was accepted by the checker and not kept; -o CERT writes it"
-            )?,
-        }
-        writeln!(text, "  {:.3} s", self.seconds)
+        text.push_str(&last_lines(
+            self.file.snapped,
+            true,
+            self.written.as_ref(),
+            self.seconds,
+        ));
+        Ok(())
     }
 }
 
