@@ -5,7 +5,7 @@ use super::double::{two_product, two_sum};
 use super::error::FloatError;
 use crate::curve::MAXIMUM_PIECES;
 
-/// Up to so many knots are gone through in turn, which a processor that guesses branches does ahead of time; of more the half is left out at a time.
+/// Up to so many knots are gone through in turn, which a processor that predicts branches does ahead of time; more are searched by halving.
 const FEW: usize = 32;
 
 impl Curve {
