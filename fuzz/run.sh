@@ -6,6 +6,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 seconds=${1:-60}
 shift || true
 
+if ! cargo +nightly fuzz --version >/dev/null 2>&1; then
+    echo "fuzz/run.sh: cargo-fuzz or nightly Rust is missing (rustup toolchain install nightly; cargo install cargo-fuzz)" >&2
+    exit 2
+fi
+
 seeds() {
     case $1 in
     read_curve) echo certs/curves/*.json ;;
