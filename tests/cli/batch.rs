@@ -264,34 +264,15 @@ fn an_earlier_run_is_resumed() {
     polygon(folder.path(), "line.json", "0,0 1,0 1,2");
     assert_eq!(certify(&["--resume"]), [true, true, false]);
     // Other options are another question.
-    run(["batch", SQUARE, "--claim", "msd", "-o", text(&out), "-q", "--resume"]).expect(0);
-    run([
-        "batch",
-        SQUARE,
-        "--claim",
-        "msd --convention critical",
-        "-o",
-        text(&out),
-        "-q",
-        "--resume",
-    ])
-    .expect(0);
+    let square = |claim| run(["batch", SQUARE, "--claim", claim, "-o", text(&out), "-q", "--resume"]).expect(0);
+    square("msd");
+    square("msd --convention critical");
     assert_eq!(results(&out)[0]["resumed"], false);
     assert_eq!(results(&out)[0]["statement"]["convention"], "critical");
     // Half a line, as a run that was killed may leave it.
     let whole = fs::read_to_string(out.join("results.jsonl")).unwrap();
     fs::write(out.join("results.jsonl"), &(whole.clone() + &whole)[..whole.len() + 40]).unwrap();
-    run([
-        "batch",
-        SQUARE,
-        "--claim",
-        "msd --convention critical",
-        "-o",
-        text(&out),
-        "-q",
-        "--resume",
-    ])
-    .expect(0);
+    square("msd --convention critical");
     assert_eq!(results(&out)[0]["resumed"], true);
 }
 

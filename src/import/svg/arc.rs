@@ -104,7 +104,7 @@ pub(super) fn draw(arc: &Arc) -> Result<Drawn, String> {
     let slack = &turn * (abs(&x) + abs(&y)) / smaller;
     if slack >= least {
         return Err(
-            "found an elliptic arc whose turned axes differ by a factor of 10^11 or more, expected axes nearer to each other in length".into(),
+            "found an elliptic arc whose turned axes differ by a factor of more than 10^10, expected axes nearer to each other in length".into(),
         );
     }
     let (shortest, longest) = match slack.numer().is_zero() {
